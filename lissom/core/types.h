@@ -1,0 +1,15 @@
+#pragma once
+/// Dense types used everywhere. All quantities are SI (m, N, Pa, kg, s, rad) unless a name says otherwise.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace lissom {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using VecX = Eigen::VectorXd;
+using MatX = Eigen::MatrixXd;
+
+}  // namespace lissom

@@ -1,0 +1,103 @@
+#pragma once
+/// One situation of a structure: what is held, moved and loaded, and along which path of the load factor.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lissom/core/types.h"
+#include "lissom/model/selector.h"
+
+namespace lissom {
+
+enum class SupportKind {
+  kPin,        ///< position held, rotation free
+  kClamp,      ///< position and frame held; the rod springs from the clamp frame over half an edge (second order)
+  kClampEdge,  ///< the end edge held: both its nodes and its roll; the free length starts at its middle
+  kFree,       ///< only the listed directions and rotations are held
+  kSymmetry,   ///< mirror plane: no displacement along `normal`, no rotation about axes in the plane
+};
+
+/// Prescribed kinematics of a set of nodes. Displacements and rotations are reached at load factor 1 and are
+/// proportional to the load factor in between and beyond.
+struct Support {
+  Selector at;
+  SupportKind kind = SupportKind::kPin;
+  std::vector<Vec3> directions;  ///< kFree: unit vectors along which the displacement is held (at most 3, orthogonal)
+  std::vector<Vec3> rotations;   ///< kFree: unit axes about which the rotation is held (needs a frame at the node)
+  bool roll = false;             ///< kFree: roll angles of all edges between selected nodes are held
+  Vec3 normal = Vec3::UnitZ();   ///< kSymmetry
+  Vec3 move = Vec3::Zero();      ///< m, displacement at load factor 1 (components along free directions are ignored)
+  std::optional<double> move_inwards;  ///< m, displacement towards the centroid of the set, in addition to `move`
+  Vec3 turn_axis = Vec3::UnitZ();
+  double turn_angle = 0;         ///< rad at load factor 1; any number of turns
+};
+
+/// Soft pin: V = 1/2 stiffness |x - target|^2.
+struct SoftPin {
+  Selector at;
+  double stiffness = 0;          ///< N/m
+  std::optional<Vec3> target;    ///< m; where the node is drawn when absent
+};
+
+enum class Scaling {
+  kProportional,  ///< multiplied by the load factor
+  kConstant,      ///< acts in full at every load factor
+};
+
+struct PointForce {
+  Selector at;
+  Vec3 force = Vec3::Zero();     ///< N, dead load on each selected node
+  bool shared = false;           ///< true: `force` is the sum over the set, split equally
+  Scaling scaling = Scaling::kProportional;
+};
+
+struct PointMoment {
+  Selector at;
+  Vec3 moment = Vec3::Zero();    ///< N m, axes fixed in space
+  Scaling scaling = Scaling::kProportional;
+};
+
+struct LineLoad {
+  std::vector<std::string> rods;  ///< empty: all
+  Vec3 force_per_length = Vec3::Zero();  ///< N per m of rest length, dead
+  Scaling scaling = Scaling::kProportional;
+};
+
+struct Gravity {
+  Vec3 acceleration = Vec3(0, 0, -9.81);  ///< m/s^2
+  Scaling scaling = Scaling::kProportional;
+};
+
+/// Load factors that `path` visits.
+struct LoadPath {
+  double from = 0;
+  double to = 1;
+  int steps = 10;                ///< recorded states; the solver subdivides on its own
+  enum class Follow { kLoad, kArcLength } follow = Follow::kLoad;
+  bool stop_at_critical = false;
+  bool switch_branch = false;    ///< continue on the bifurcating branch at the first bifurcation
+};
+
+/// A shape to start from instead of the drawn one: smooth sideways bump, for structures that start at a critical point.
+struct Seed {
+  Vec3 direction = Vec3::UnitZ();
+  double amplitude = 0;          ///< m, height of a half-sine along each rod (or of a dome over a network)
+};
+
+struct Pose {
+  std::string name;
+  std::vector<Support> supports;
+  std::vector<SoftPin> soft_pins;
+  std::vector<PointForce> forces;
+  std::vector<PointMoment> moments;
+  std::vector<LineLoad> line_loads;
+  std::optional<Gravity> gravity;
+  std::optional<LoadPath> path;
+  std::optional<Seed> seed;
+  /// Every node and roll stays where it is drawn: energies and internal forces of a prescribed shape.
+  bool frozen = false;
+};
+
+}  // namespace lissom

@@ -1,0 +1,37 @@
+#pragma once
+/// How a document names nodes: ends of rods, places along them, points in space, boxes, named sets, and unions of these.
+
+#include <string>
+#include <vector>
+
+#include "lissom/core/types.h"
+
+namespace lissom {
+
+/// A set of nodes, resolved on the discretised structure.
+struct Selector {
+  enum class Kind {
+    kSet,       ///< `name` of a named set
+    kAll,       ///< every node
+    kRod,       ///< nodes of rod `name`: all of them, or the one at `fraction` of its length when fraction >= 0
+    kPoint,     ///< the node nearest to `point`; must lie within `tolerance`
+    kBox,       ///< nodes with low <= x <= high
+    kJoints,    ///< every node shared by two or more rod ends
+    kBoundary,  ///< nodes on the outer loop of a line network (see docs/guide), or free ends where there is none
+    kUnion,     ///< all of `parts`
+  };
+  Kind kind = Kind::kAll;
+  std::string name;
+  double fraction = -1;                ///< of the rod's rest length, 0 = start, 1 = end
+  Vec3 point = Vec3::Zero();           ///< m
+  double tolerance = 0;                ///< m; 0: half the mean edge length
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m
+  std::vector<Selector> parts;
+};
+
+struct NamedSet {
+  std::string name;
+  Selector nodes;
+};
+
+}  // namespace lissom
