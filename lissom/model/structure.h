@@ -8,14 +8,10 @@
 
 #include "lissom/core/result.h"
 #include "lissom/core/types.h"
+#include "lissom/geometry/frame.h"
 #include "lissom/model/model.h"
 
 namespace lissom {
-
-/// Right-handed orthonormal material frame: t x b = n. n is out of plane, b in plane.
-struct Frame {
-  Vec3 t = Vec3::UnitX(), b = Vec3::UnitY(), n = Vec3::UnitZ();
-};
 
 /// One straight edge of a rod, from node0 to node1 in the direction of the rod.
 struct StructureEdge {
