@@ -1,0 +1,125 @@
+#pragma once
+/// Forward second-order automatic differentiation with a fixed number of active variables: value, gradient and Hessian
+/// of one scalar expression. Used where derivatives follow from a value that is written once, and to check those that
+/// are written by hand.
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace lissom {
+
+/// a + g.d + 1/2 d'H d for N active variables d; H is stored as its lower triangle, row by row.
+template <int N>
+struct Dual2 {
+  static constexpr int kHessian = N * (N + 1) / 2;
+  double a = 0;
+  std::array<double, N> g{};
+  std::array<double, kHessian> h{};
+
+  Dual2() = default;
+  Dual2(double value) : a(value) {}  // NOLINT(google-explicit-constructor): constants mix freely with duals
+
+  /// The i-th active variable at this value.
+  static Dual2 variable(double value, int i) {
+    Dual2 x(value);
+    x.g[i] = 1;
+    return x;
+  }
+
+  double hessian(int i, int j) const { return i >= j ? h[i * (i + 1) / 2 + j] : h[j * (j + 1) / 2 + i]; }
+
+  Dual2& operator+=(const Dual2& o) {
+    a += o.a;
+    for (int i = 0; i < N; ++i) g[i] += o.g[i];
+    for (int i = 0; i < kHessian; ++i) h[i] += o.h[i];
+    return *this;
+  }
+  Dual2& operator-=(const Dual2& o) {
+    a -= o.a;
+    for (int i = 0; i < N; ++i) g[i] -= o.g[i];
+    for (int i = 0; i < kHessian; ++i) h[i] -= o.h[i];
+    return *this;
+  }
+  Dual2& operator*=(const Dual2& o) { return *this = *this * o; }
+  Dual2& operator/=(const Dual2& o) { return *this = *this / o; }
+
+  friend Dual2 operator+(Dual2 x, const Dual2& y) { return x += y; }
+  friend Dual2 operator-(Dual2 x, const Dual2& y) { return x -= y; }
+  friend Dual2 operator-(const Dual2& x) { return chain(x, -x.a, -1, 0); }
+  friend Dual2 operator*(const Dual2& x, const Dual2& y) {
+    Dual2 r(x.a * y.a);
+    for (int i = 0, k = 0; i < N; ++i) {
+      r.g[i] = x.a * y.g[i] + y.a * x.g[i];
+      for (int j = 0; j <= i; ++j, ++k) r.h[k] = x.a * y.h[k] + y.a * x.h[k] + x.g[i] * y.g[j] + x.g[j] * y.g[i];
+    }
+    return r;
+  }
+  friend Dual2 operator/(const Dual2& x, const Dual2& y) {
+    const double inverse = 1 / y.a;
+    return x * chain(y, inverse, -inverse * inverse, 2 * inverse * inverse * inverse);
+  }
+  friend bool operator<(const Dual2& x, const Dual2& y) { return x.a < y.a; }
+  friend bool operator>(const Dual2& x, const Dual2& y) { return x.a > y.a; }
+  friend bool operator<=(const Dual2& x, const Dual2& y) { return x.a <= y.a; }
+  friend bool operator>=(const Dual2& x, const Dual2& y) { return x.a >= y.a; }
+
+  /// f(x) from f, f' and f'' at x.a.
+  static Dual2 chain(const Dual2& x, double f, double f1, double f2) {
+    Dual2 r(f);
+    for (int i = 0, k = 0; i < N; ++i) {
+      r.g[i] = f1 * x.g[i];
+      for (int j = 0; j <= i; ++j, ++k) r.h[k] = f1 * x.h[k] + f2 * x.g[i] * x.g[j];
+    }
+    return r;
+  }
+};
+
+template <int N>
+Dual2<N> sqrt(const Dual2<N>& x) {
+  const double s = std::sqrt(x.a);
+  return Dual2<N>::chain(x, s, 0.5 / s, -0.25 / (s * x.a));
+}
+
+template <int N>
+Dual2<N> sin(const Dual2<N>& x) {
+  const double s = std::sin(x.a), c = std::cos(x.a);
+  return Dual2<N>::chain(x, s, c, -s);
+}
+
+template <int N>
+Dual2<N> cos(const Dual2<N>& x) {
+  const double s = std::sin(x.a), c = std::cos(x.a);
+  return Dual2<N>::chain(x, c, -s, -c);
+}
+
+/// Angle of the point (x, y); differentiable everywhere but at the origin.
+template <int N>
+Dual2<N> atan2(const Dual2<N>& y, const Dual2<N>& x) {
+  // With (X, Y) the constant values, the angle is atan2(Y, X) + atan((X y - Y x) / (X x + Y y)): the second part is 0
+  // at the point itself, with derivatives 1, 0 of the arctangent.
+  const Dual2<N> cross = Dual2<N>(x.a) * y - Dual2<N>(y.a) * x;
+  const Dual2<N> dot = Dual2<N>(x.a) * x + Dual2<N>(y.a) * y;
+  Dual2<N> r = cross / dot;
+  r.a = std::atan2(y.a, x.a);
+  return r;
+}
+
+inline double primal(double x) { return x; }
+template <int N>
+double primal(const Dual2<N>& x) {
+  return x.a;
+}
+
+}  // namespace lissom
+
+namespace Eigen {
+template <int N>
+struct NumTraits<lissom::Dual2<N>> : GenericNumTraits<double> {
+  using Real = lissom::Dual2<N>;
+  using NonInteger = lissom::Dual2<N>;
+  using Nested = lissom::Dual2<N>;
+  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 8, AddCost = 64, MulCost = 256 };
+};
+}  // namespace Eigen

@@ -1,0 +1,174 @@
+#include "lissom/mechanics/joint_corotational_kernel.h"
+
+#include <Eigen/Dense>
+#include <array>
+
+#include "lissom/mechanics/frame_pair.h"
+
+namespace lissom {
+
+namespace {
+
+Vec3 axial(const Mat3& m) {
+  return 0.5 * Vec3(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
+}
+
+FrameT<double> held_frame(const CorotationalEdge& edge, const Mat3& rotation) {
+  return {rotation * edge.rest_frame.t, rotation * edge.rest_frame.b};
+}
+
+/// Rotation vector r of the joint as a function of the edges' rotation vectors w: first and second derivatives.
+template <int K>
+struct MatchedRotation {
+  Eigen::Matrix<double, 3, 3 * K> first;                 ///< dr/dw
+  std::array<Eigen::Matrix<double, 3, 3 * K>, 3 * K> second;  ///< d2r/dw_u dw_v = second[u].col(v)
+};
+
+template <int K>
+MatchedRotation<K> matched_rotation_derivatives(const CorotationalEdge* edges, const Mat3& rotation) {
+  constexpr int n = 3 * K;
+  Mat3 covariance = Mat3::Zero();
+  for (int i = 0; i < K; ++i) {
+    covariance += edges[i].weight_t * edges[i].frame.t * edges[i].rest_frame.t.transpose() +
+                  edges[i].weight_n * edges[i].frame.n() * edges[i].rest_frame.n.transpose();
+  }
+  const Mat3 stretch = rotation.transpose() * covariance;
+  const Mat3 s = 0.5 * (stretch + stretch.transpose());
+  const Mat3 g = (s.trace() * Mat3::Identity() - s) * rotation.transpose();
+  const Mat3 g_inverse = g.inverse();
+
+  // N_u for every component u of w, then omega_u, S_u (3.20).
+  std::array<Mat3, n> n_u, s_u;
+  std::array<Vec3, n> omega;
+  const auto covariance_of = [&](const CorotationalEdge& e, const Vec3& dt, const Vec3& dn) -> Mat3 {
+    return e.weight_t * dt * e.rest_frame.t.transpose() + e.weight_n * dn * e.rest_frame.n.transpose();
+  };
+  for (int u = 0; u < n; ++u) {
+    const CorotationalEdge& e = edges[u / 3];
+    const Vec3 axis = Vec3::Unit(u % 3);
+    n_u[u] = covariance_of(e, axis.cross(e.frame.t), axis.cross(e.frame.n()));
+    omega[u] = 2 * g_inverse * axial(rotation.transpose() * n_u[u]);
+    s_u[u] = rotation.transpose() * (n_u[u] - skew(omega[u]) * rotation * s);
+  }
+  MatchedRotation<K> r;
+  for (int u = 0; u < n; ++u) r.first.col(u) = omega[u];
+
+  // omega_{u,v} (3.21), then the second derivative of the rotation vector: + 1/2 omega_u x omega_v.
+  for (int u = 0; u < n; ++u) {
+    for (int v = 0; v <= u; ++v) {
+      Mat3 n_uv = -skew(omega[v]) * n_u[u];
+      if (u / 3 == v / 3) {
+        const CorotationalEdge& e = edges[u / 3];
+        const Vec3 a = Vec3::Unit(u % 3), b = Vec3::Unit(v % 3);
+        const auto twice = [&](const Vec3& x) -> Vec3 { return 0.5 * (a.cross(b.cross(x)) + b.cross(a.cross(x))); };
+        n_uv += covariance_of(e, twice(e.frame.t), twice(e.frame.n()));
+      }
+      const Mat3 s_v = s_u[v].trace() * Mat3::Identity() - s_u[v];
+      const Vec3 omega_uv = 2 * g_inverse * axial(rotation.transpose() * n_uv) -
+                            g_inverse * (s_v * (rotation.transpose() * omega[u])) + omega[v].cross(omega[u]);
+      const Vec3 second = omega_uv + 0.5 * omega[u].cross(omega[v]);
+      r.second[u].col(v) = second;
+      r.second[v].col(u) = second;
+    }
+  }
+  return r;
+}
+
+}  // namespace
+
+double corotational_energy(const CorotationalEdge* edges, int count, const Mat3& rotation) {
+  double v = 0;
+  for (int i = 0; i < count; ++i) {
+    const FrameT<double> held = held_frame(edges[i], rotation);
+    const std::span<const double, kPairRestCount> rest(edges[i].rest, kPairRestCount);
+    v += edges[i].direction > 0
+             ? bend_twist_energy<double>(curvature(held, edges[i].frame), edges[i].twist, rest)
+             : bend_twist_energy<double>(curvature(edges[i].frame, held), edges[i].twist, rest);
+  }
+  return v;
+}
+
+template <int K>
+void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotation, double* gradient, double* hessian) {
+  constexpr int n = 3 * K;
+  // The explicit joint in (w_1 .. w_k, r).
+  Eigen::Matrix<double, n + 3, 1> g = Eigen::Matrix<double, n + 3, 1>::Zero();
+  Eigen::Matrix<double, n + 3, n + 3> h = Eigen::Matrix<double, n + 3, n + 3>::Zero();
+  for (int i = 0; i < K; ++i) {
+    const CorotationalEdge& e = edges[i];
+    const FrameT<double> held = held_frame(e, rotation);
+    const bool leaves = e.direction > 0;
+    const FramePairDerivatives d = frame_pair_derivatives(leaves ? held : e.frame, leaves ? e.frame : held, e.twist,
+                                                          e.rest, hessian != nullptr);
+    const int at[2] = {leaves ? n : 3 * i, leaves ? 3 * i : n};
+    for (int a = 0; a < 2; ++a) {
+      g.segment<3>(at[a]) += d.gradient.segment<3>(3 * a);
+      if (hessian == nullptr) continue;
+      for (int b = 0; b < 2; ++b) h.block<3, 3>(at[a], at[b]) += d.hessian.block<3, 3>(3 * a, 3 * b);
+    }
+  }
+  // r follows w.
+  const MatchedRotation<K> r = matched_rotation_derivatives<K>(edges, rotation);
+  const Vec3 g_r = g.template tail<3>();
+  const Eigen::Matrix<double, n, 1> g_w = g.template head<n>() + r.first.transpose() * g_r;
+
+  // Chain to (e, theta) of each edge, then to nodes: e = direction (x_far - x_joint).
+  Eigen::Matrix<double, n, 4 * K> w = Eigen::Matrix<double, n, 4 * K>::Zero();
+  for (int i = 0; i < K; ++i) {
+    w.template block<3, 4>(3 * i, 4 * i) = edge_rotation_jacobian(edges[i].frame.t, edges[i].length);
+    w.template block<3, 3>(3 * i, 4 * i) *= edges[i].direction;
+  }
+  const Eigen::Matrix<double, 4 * K, 1> g_e = w.transpose() * g_w;
+  constexpr int dofs = 3 + 4 * K;
+  for (int i = 0; i < dofs; ++i) gradient[i] = 0;
+  for (int i = 0; i < K; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      gradient[c] -= g_e[4 * i + c];
+      gradient[3 + 3 * i + c] = g_e[4 * i + c];
+    }
+    gradient[3 + 3 * K + i] = g_e[4 * i + 3];
+  }
+  if (hessian == nullptr) return;
+
+  const Eigen::Matrix<double, n, n> mixed = h.template block<n, 3>(0, n) * r.first;
+  Eigen::Matrix<double, n, n> h_w = h.template block<n, n>(0, 0) + mixed + mixed.transpose() +
+                                    r.first.transpose() * h.template block<3, 3>(n, n) * r.first;
+  for (int u = 0; u < n; ++u) h_w.row(u) += g_r.transpose() * r.second[u];
+  Eigen::Matrix<double, 4 * K, 4 * K> h_e = w.transpose() * h_w * w;
+  for (int i = 0; i < K; ++i) {
+    Mat4 second = edge_rotation_curvature(g_w.template segment<3>(3 * i), edges[i].frame.t, edges[i].length);
+    // The sign of e cancels in the block by (e, e) and stays in the one by (e, theta).
+    second.block<3, 1>(0, 3) *= edges[i].direction;
+    second.block<1, 3>(3, 0) *= edges[i].direction;
+    h_e.template block<4, 4>(4 * i, 4 * i) += second;
+  }
+  // Columns of the map from unknowns to (e, theta): +-1 entries only.
+  Eigen::Matrix<double, dofs, dofs> full = Eigen::Matrix<double, dofs, dofs>::Zero();
+  const auto place = [&](int i, int c) { return c < 3 ? 3 + 3 * i + c : 3 + 3 * K + i; };
+  for (int i = 0; i < K; ++i) {
+    for (int j = 0; j < K; ++j) {
+      for (int a = 0; a < 4; ++a) {
+        for (int b = 0; b < 4; ++b) {
+          const double k = h_e(4 * i + a, 4 * j + b);
+          full(place(i, a), place(j, b)) += k;
+          if (a < 3) full(a, place(j, b)) -= k;
+          if (b < 3) full(place(i, a), b) -= k;
+          if (a < 3 && b < 3) full(a, b) += k;
+        }
+      }
+    }
+  }
+  for (int i = 0, k = 0; i < dofs; ++i) {
+    for (int j = 0; j <= i; ++j, ++k) hessian[k] = full(i, j);
+  }
+}
+
+template void corotational_derivatives<2>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<3>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<4>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<5>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<6>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<7>(const CorotationalEdge*, const Mat3&, double*, double*);
+template void corotational_derivatives<8>(const CorotationalEdge*, const Mat3&, double*, double*);
+
+}  // namespace lissom

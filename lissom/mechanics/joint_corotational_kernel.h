@@ -1,0 +1,42 @@
+#pragma once
+/// Closed-form derivatives of the corotational joint for any number of edges [mathematics 2.3].
+
+#include "lissom/geometry/frame.h"
+#include "lissom/mechanics/strain.h"
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+/// Weights of tangents and normals in shape matching, from the rest numbers of a connection (half-edge length).
+template <class T>
+struct ConnectionWeights {
+  T t, n;
+};
+template <class T>
+ConnectionWeights<T> connection_weights(const T* rest, JointWeights kind) {
+  const T bend = rest[kBend1] + rest[kBend2];
+  if (kind == JointWeights::kThesis) return {bend, rest[kTwistStiffness]};
+  const T edge_length = rest[kPairLength] * T(2);
+  return {bend / (edge_length * T(2)), rest[kTwistStiffness] / edge_length};
+}
+
+/// One edge of a corotational joint in a state.
+struct CorotationalEdge {
+  FrameT<double> frame;
+  Frame rest_frame;
+  double length, twist;
+  int direction;
+  double weight_t, weight_n;
+  const double* rest;  ///< PairRestIndex order
+};
+
+double corotational_energy(const CorotationalEdge* edges, int count, const Mat3& rotation);
+
+/// Joints of 2 to this many edges can be corotational.
+inline constexpr int kMaxCorotationalEdges = 8;
+
+/// Gradient (3 + 4 K) by (joint node, far nodes, rolls) and, unless null, the lower triangle of the Hessian by rows.
+template <int K>
+void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotation, double* gradient, double* hessian);
+
+}  // namespace lissom

@@ -1,0 +1,126 @@
+#pragma once
+/// Explicit joint, one connection: the spring between a rod edge and the frame of a joint whose rotation is an unknown
+/// [Zehnder et al. 2016; mathematics 2.1, 2.2; erratum E8]. Also the clamp: a joint whose rotation is prescribed.
+
+#include "lissom/mechanics/frame_pair.h"
+#include "lissom/mechanics/stencil_term.h"
+
+namespace lissom {
+
+/// Rest numbers of a connection: those of a pair, then a rotation vector that turns the rest frame of the edge.
+enum { kRestTurn = kPairRestCount, kConnectionRestCount = kPairRestCount + 3 };
+
+/// exp([r]) x for |r| of order one; the series is exact to rounding and smooth at r = 0 for duals.
+template <class T>
+Vec3T<T> rotated_by_vector(const Vec3T<T>& r, const Vec3T<T>& x) {
+  const T s = r.dot(r);
+  T a(0), b(0);  // sin|r| / |r| and (1 - cos|r|) / |r|^2
+  for (int k = 12; k >= 0; --k) {
+    a = T(1) - s * a * (1.0 / ((2 * k + 2) * (2 * k + 3)));
+    b = T(1) - s * b * (1.0 / ((2 * k + 3) * (2 * k + 4)));
+  }
+  b = b * T(0.5);
+  const Vec3T<T> once = r.cross(x), twice = r.cross(once);
+  return Vec3T<T>(x + once * a + twice * b);
+}
+
+struct JointExplicit {
+  static constexpr std::string_view kName = "joint_explicit";
+  static constexpr std::string_view kCitation = "Zehnder et al. 2016; mathematics 2.2";
+  static constexpr int kDofs = 10;  // x0, x1 (m), theta (rad), r (rad)
+  static constexpr int kRest = kConnectionRestCount;
+  static constexpr bool kHasHessian = true;
+
+  struct Stencil {
+    std::array<int, kDofs> dofs;
+    std::array<double, kRest> rest;
+    int connection, edge, joint, direction;
+    Frame rest_frame;
+  };
+  struct Frozen {
+    Vec3 t, b;  // anchor of the edge
+    Mat3 rotation;
+    Frame rest_frame;
+    double twist;
+    int direction;
+  };
+  Frozen frozen(const State& state, const Stencil& s) const {
+    const EdgeState& e = state.edges[s.edge];
+    return {e.t, e.reference_b, state.joint_rotation[s.joint], s.rest_frame, state.connection_twist[s.connection],
+            s.direction};
+  }
+
+  template <class T>
+  static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen& f) {
+    const FrameT<T> edge = edge_frame<T>(Vec3T<T>(x[3] - x[0], x[4] - x[1], x[5] - x[2]), x[6], f.t, f.b);
+    const Vec3T<T> turn(rest[kRestTurn], rest[kRestTurn + 1], rest[kRestTurn + 2]);
+    const Vec3T<T> r(x[7], x[8], x[9]);
+    const auto held_axis = [&](const Vec3& axis) {
+      const Vec3T<T> at_rest = rotated_by_vector<T>(turn, axis.cast<T>());
+      return rotated_by_vector<T>(r, Vec3T<T>(f.rotation.cast<T>() * at_rest));
+    };
+    const FrameT<T> held{held_axis(f.rest_frame.t), held_axis(f.rest_frame.b)};
+    const auto spring = rest.template first<kPairRestCount>();
+    return f.direction > 0 ? bend_twist_energy<T>(curvature(held, edge), twist(held, edge, f.twist), spring)
+                           : bend_twist_energy<T>(curvature(edge, held), twist(edge, held, f.twist), spring);
+  }
+
+  using Lane = double;
+  template <class T>
+  struct Local {
+    FrameT<double> edge, held;
+    double length, twist;
+    int direction;
+    const double* rest;
+  };
+
+  template <class T>
+  void gather(const State& state, const Stencil& s, int, Local<T>& local) const {
+    const EdgeState& e = state.edges[s.edge];
+    const Mat3& rotation = state.joint_rotation[s.joint];
+    // The rest turn is 0 in every built term; it is an active variable of `value` for the mixed block only.
+    local = {{e.t, e.b}, {rotation * s.rest_frame.t, rotation * s.rest_frame.b},
+             e.length,   state.connection_twist[s.connection],
+             s.direction, s.rest.data()};
+  }
+
+  template <class T>
+  static T energy(const Local<T>& a) {
+    const std::span<const double, kPairRestCount> rest(a.rest, kPairRestCount);
+    return a.direction > 0 ? bend_twist_energy<double>(curvature(a.held, a.edge), a.twist, rest)
+                           : bend_twist_energy<double>(curvature(a.edge, a.held), a.twist, rest);
+  }
+
+  template <class T>
+  static void derivatives(const Local<T>& a, T* gradient, T* hessian) {
+    const bool leaves = a.direction > 0;
+    const FramePairDerivatives d = frame_pair_derivatives(leaves ? a.held : a.edge, leaves ? a.edge : a.held, a.twist,
+                                                          a.rest, hessian != nullptr);
+    const int edge_at = leaves ? 3 : 0, held_at = leaves ? 0 : 3;
+    // Rotations (edge, held) by (e, theta, r), then e = x1 - x0.
+    Eigen::Matrix<double, 6, 7> w = Eigen::Matrix<double, 6, 7>::Zero();
+    w.block<3, 4>(edge_at, 0) = edge_rotation_jacobian(a.edge.t, a.length);
+    w.block<3, 3>(held_at, 4).setIdentity();
+    const Eigen::Matrix<double, 7, 1> g = w.transpose() * d.gradient;
+    for (int i = 0; i < 3; ++i) {
+      gradient[i] = -g[i];
+      gradient[3 + i] = g[i];
+      gradient[7 + i] = g[4 + i];
+    }
+    gradient[6] = g[3];
+    if (hessian == nullptr) return;
+    Eigen::Matrix<double, 7, 7> h = w.transpose() * d.hessian * w;
+    h.block<4, 4>(0, 0) += edge_rotation_curvature(d.gradient.segment<3>(edge_at), a.edge.t, a.length);
+    constexpr int kFrom[kDofs] = {0, 1, 2, 0, 1, 2, 3, 4, 5, 6};
+    for (int i = 0; i < kDofs; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        const double sign = (i < 3) != (j < 3) ? -1 : 1;
+        hessian[i * (i + 1) / 2 + j] = sign * h(kFrom[i], kFrom[j]);
+      }
+    }
+  }
+
+  std::vector<Stencil> stencils;
+};
+
+}  // namespace lissom

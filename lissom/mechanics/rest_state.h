@@ -1,0 +1,40 @@
+#pragma once
+/// Numbers implied by the undeformed shape and the sections: rest lengths, natural strains, stiffnesses, masses.
+
+#include <vector>
+
+#include "lissom/core/result.h"
+#include "lissom/model/structure.h"
+
+namespace lissom {
+
+/// Per rod edge.
+struct EdgeRest {
+  double length = 0;        ///< m
+  double stretch = 0;       ///< E A, N
+  double mass = 0;          ///< kg
+  double roll_inertia = 0;  ///< kg m^2
+};
+
+/// Bending and twist spring of an ordered pair of frames: interior vertex, or rod edge against its joint.
+struct PairRest {
+  double kappa_1 = 0, kappa_2 = 0, twist = 0;  ///< natural strains, integrated (dimensionless, rad)
+  double bend_1 = 0, bend_2 = 0, twist_stiffness = 0;  ///< B_1, B_2, beta, N m^2
+  double length = 0;                                    ///< integration length, m [mathematics 1.4]
+};
+
+/// Rest numbers of a whole structure, in the order of its edges, pairs, and connections (joint by joint).
+struct RestState {
+  std::vector<EdgeRest> edges;
+  std::vector<PairRest> pairs;
+  std::vector<PairRest> connections;  ///< natural strains 0; length = half the rest length of the edge (erratum E8)
+  std::vector<double> node_mass;      ///< kg, half of each incident edge
+  std::vector<double> node_length;    ///< m, half of each incident edge: where distributed loads go
+  double total_mass = 0;              ///< kg
+  double mean_edge_length = 0;        ///< m
+  double max_stretch = 0;             ///< N, largest E A
+};
+
+Result<RestState> make_rest_state(const Model& model, const Structure& structure);
+
+}  // namespace lissom

@@ -1,0 +1,168 @@
+#pragma once
+/// Turns an energy struct into an EnergyTerm. The struct gives its sizes, stencils and a templated `value`; derivatives
+/// follow by automatic differentiation unless it also gives hand-written ones, which tests compare with its `value`.
+///
+///   struct Energy {
+///     static constexpr std::string_view kName, kCitation;
+///     static constexpr int kDofs, kRest;
+///     static constexpr bool kHasHessian;
+///     struct Stencil { std::array<int, kDofs> dofs; std::array<double, kRest> rest; ... };
+///     struct Frozen { ... };                               // history held constant while the unknowns vary
+///     Frozen frozen(const State&, const Stencil&) const;
+///     template <class T> static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen&);
+///     std::vector<Stencil> stencils;
+///     // optional fast path at the anchor, on Pack or double:
+///     template <class T> struct Local { ... };
+///     template <class T> void gather(const State&, const Stencil&, int lane, Local<T>&) const;
+///     template <class T> static T energy(const Local<T>&);
+///     template <class T> static void derivatives(const Local<T>&, T* gradient, T* hessian_or_null);
+///     using Lane = Pack or double;
+///   };
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "lissom/core/dual.h"
+#include "lissom/mechanics/energy_term.h"
+
+namespace lissom {
+
+template <class E>
+concept HasFastPath = requires { typename E::Lane; };
+
+template <class E>
+class StencilTerm final : public EnergyTerm {
+ public:
+  explicit StencilTerm(E energy) : energy_(std::move(energy)) {
+    for (const auto& s : energy_.stencils) indices_.insert(indices_.end(), s.dofs.begin(), s.dofs.end());
+  }
+
+  std::string_view name() const override { return E::kName; }
+  std::string_view citation() const override { return E::kCitation; }
+  int stencils() const override { return static_cast<int>(energy_.stencils.size()); }
+  int dofs() const override { return E::kDofs; }
+  int rests() const override { return E::kRest; }
+  bool has_hessian() const override { return E::kHasHessian; }
+  std::span<const int> indices() const override { return indices_; }
+
+  void energies(const State& state, int begin, int end, double* energy) const override {
+    for (int g = begin; g < end; ++g) {
+      double* out = energy + static_cast<std::ptrdiff_t>(g) * kLanes;
+      if constexpr (HasFastPath<E>) {
+        for_lanes(state, g, [&](const auto& local, int lane) { write(E::energy(local), out, lane); });
+      } else {
+        for (int lane = 0; lane < kLanes; ++lane) {
+          const auto& s = stencil(g, lane);
+          std::array<double, E::kDofs> x;
+          for (int i = 0; i < E::kDofs; ++i) x[i] = state.q[s.dofs[i]];
+          out[lane] = E::template value<double>(x, s.rest, energy_.frozen(state, s));
+        }
+      }
+    }
+  }
+
+  void derivatives(const State& state, int begin, int end, double* gradient, double* hessian) const override {
+    constexpr int kEntries = E::kDofs * (E::kDofs + 1) / 2;
+    for (int g = begin; g < end; ++g) {
+      double* grad = gradient + static_cast<std::ptrdiff_t>(g) * E::kDofs * kLanes;
+      double* hess = hessian == nullptr ? nullptr : hessian + static_cast<std::ptrdiff_t>(g) * kEntries * kLanes;
+      if constexpr (HasFastPath<E>) {
+        using Lane = typename E::Lane;
+        for_lanes(state, g, [&](const auto& local, int lane) {
+          std::array<Lane, E::kDofs> lane_gradient;
+          std::array<Lane, kEntries> lane_hessian;
+          E::derivatives(local, lane_gradient.data(), hess == nullptr ? nullptr : lane_hessian.data());
+          for (int i = 0; i < E::kDofs; ++i) write(lane_gradient[i], grad + i * kLanes, lane);
+          if (hess == nullptr) return;
+          for (int i = 0; i < kEntries; ++i) write(lane_hessian[i], hess + i * kLanes, lane);
+        });
+      } else {
+        using Dual = Dual2<E::kDofs>;
+        for (int lane = 0; lane < kLanes; ++lane) {
+          const auto& s = stencil(g, lane);
+          std::array<Dual, E::kDofs> x;
+          std::array<Dual, E::kRest> rest;
+          for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]], i);
+          for (int i = 0; i < E::kRest; ++i) rest[i] = s.rest[i];
+          const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
+          for (int i = 0; i < E::kDofs; ++i) grad[i * kLanes + lane] = v.g[i];
+          if (hess == nullptr) continue;
+          for (int i = 0; i < kEntries; ++i) hess[i * kLanes + lane] = v.h[i];
+        }
+      }
+    }
+  }
+
+  StencilDerivatives automatic(const State& state, const VecX& dq, int index) const override {
+    using Dual = Dual2<E::kDofs + E::kRest>;
+    const auto& s = energy_.stencils[index];
+    std::array<Dual, E::kDofs> x;
+    std::array<Dual, E::kRest> rest;
+    for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]] + dq[s.dofs[i]], i);
+    for (int i = 0; i < E::kRest; ++i) rest[i] = Dual::variable(s.rest[i], E::kDofs + i);
+    const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
+    StencilDerivatives d{v.a, VecX(E::kDofs), MatX(E::kDofs, E::kDofs), MatX(E::kDofs, E::kRest), VecX(E::kRest)};
+    for (int i = 0; i < E::kDofs; ++i) {
+      d.gradient[i] = v.g[i];
+      for (int j = 0; j < E::kDofs; ++j) d.hessian(i, j) = v.hessian(i, j);
+      for (int j = 0; j < E::kRest; ++j) d.mixed(i, j) = v.hessian(i, E::kDofs + j);
+    }
+    for (int j = 0; j < E::kRest; ++j) d.rest_gradient[j] = v.g[E::kDofs + j];
+    return d;
+  }
+
+  VecX rest(int index) const override {
+    const auto& r = energy_.stencils[index].rest;
+    return Eigen::Map<const VecX>(r.data(), E::kRest);
+  }
+  void set_rest(int index, const VecX& rest) override {
+    for (int i = 0; i < E::kRest; ++i) energy_.stencils[index].rest[i] = rest[i];
+  }
+
+ private:
+  static constexpr int kLanes = Pack::kLanes;
+
+  const typename E::Stencil& stencil(int group, int lane) const {
+    return energy_.stencils[std::min(group * kLanes + lane, stencils() - 1)];
+  }
+  static void write(const Pack& x, double* out, int) { x.store(out); }
+  static void write(double x, double* out, int lane) { out[lane] = x; }
+
+  /// Calls f(local, lane): once for a whole pack, or lane by lane for kernels on doubles.
+  template <class F>
+  void for_lanes(const State& state, int group, const F& f) const {
+    using Lane = typename E::Lane;
+    if constexpr (std::is_same_v<Lane, Pack>) {
+      typename E::template Local<Pack> local;
+      for (int lane = 0; lane < kLanes; ++lane) energy_.gather(state, stencil(group, lane), lane, local);
+      f(local, 0);
+    } else {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        typename E::template Local<double> local;
+        energy_.gather(state, stencil(group, lane), 0, local);
+        f(local, lane);
+      }
+    }
+  }
+
+  E energy_;
+  std::vector<int> indices_;
+};
+
+template <class E>
+std::unique_ptr<EnergyTerm> make_term(E energy) {
+  return std::make_unique<StencilTerm<E>>(std::move(energy));
+}
+
+/// Sets one lane of a scalar that may be a pack.
+inline void set_lane(Pack& x, int lane, double value) { x.set(lane, value); }
+inline void set_lane(double& x, int, double value) { x = value; }
+
+template <class T>
+void set_lane(Eigen::Matrix<T, 3, 1>& x, int lane, const Vec3& value) {
+  for (int i = 0; i < 3; ++i) set_lane(x[i], lane, value[i]);
+}
+
+}  // namespace lissom
