@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Runs the benches of a build and writes BUILD_DIR/../bench.json and a table.
+
+    tools/bench.py BUILD_DIR [NAME...]      NAME: programs of bench/; default: all
+
+Each row is {name, metric, value, unit}. Times are wall time per iteration, the median when a bench repeats itself. A
+counter names its unit in brackets: counters["peak memory [MB]"]. Needs Python's standard library only.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+# What Google Benchmark writes about a run besides the counters of the bench itself.
+FIXED = {
+    "name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "repetition_index",
+    "threads", "iterations", "real_time", "cpu_time", "time_unit", "aggregate_name", "aggregate_unit", "label",
+    "error_occurred", "error_message",
+}
+
+
+def rows_of(report):
+    """Rows of one report, and the names of benches that gave up."""
+    runs = report["benchmarks"]
+    broken = [f"{run['name']}: {run.get('error_message', 'failed')}" for run in runs if run.get("error_occurred")]
+    repeated = {run["run_name"] for run in runs if run.get("aggregate_name") == "median"}
+    rows = []
+    for run in runs:
+        kind = run.get("aggregate_name", "")
+        if run.get("error_occurred") or kind not in ("", "median") or (not kind and run["run_name"] in repeated):
+            continue
+        rows.append((run["run_name"], "time", run["real_time"], run["time_unit"]))
+        for key in sorted(run.keys() - FIXED):
+            metric, _, unit = key.partition(" [")
+            rows.append((run["run_name"], metric, run[key], unit.rstrip("]")))
+    return [dict(zip(("name", "metric", "value", "unit"), row)) for row in rows], broken
+
+
+def table(rows):
+    cells = [("name", "metric", "value", "unit")]
+    cells += [(row["name"], row["metric"], f"{row['value']:.4g}", row["unit"]) for row in rows]
+    widths = [max(len(cell[i]) for cell in cells) for i in range(3)]
+    for name, metric, value, unit in cells:
+        print(f"{name:{widths[0]}}  {metric:{widths[1]}}  {value:>{widths[2]}}  {unit}".rstrip())
+
+
+def main():
+    if len(sys.argv) < 2:
+        print("usage: tools/bench.py BUILD_DIR [NAME...]", file=sys.stderr)
+        return 2
+    build = Path(sys.argv[1]).resolve()
+    names = sys.argv[2:] or sorted(path.stem for path in (ROOT / "bench").glob("*.cpp"))
+    if not names:
+        print("tools/bench.py: there is nothing in bench/ to run", file=sys.stderr)
+        return 1
+    rows, broken = [], []
+    for name in names:
+        print(f"== bench: {name}", flush=True)
+        out = build / "bench" / f"{name}.json"
+        out.unlink(missing_ok=True)
+        done = subprocess.run(
+            [build / "bench" / name, f"--benchmark_out={out}", "--benchmark_out_format=json"], cwd=ROOT,
+            stdin=subprocess.DEVNULL, check=False)
+        if done.returncode != 0 or not out.exists():
+            broken.append(f"{name}: ended with exit code {done.returncode}")
+            continue
+        found, problems = rows_of(json.loads(out.read_text(encoding="utf-8")))
+        rows += found
+        broken += problems
+        if not found and not problems:
+            broken.append(f"{name}: measured nothing")
+    target = build.parent / "bench.json"
+    target.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+    print()
+    table(rows)
+    print(f"{len(rows)} rows written to {target.relative_to(ROOT) if target.is_relative_to(ROOT) else target}")
+    for problem in broken:
+        print(f"FAIL {problem}")
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
