@@ -9,6 +9,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -30,8 +31,9 @@ constexpr double kMetisWorthFlopsPerUnknown = 1000;
 /// Operations per nonzero of the factor from which dense blocks beat indexed loops: at 36 (rod networks of 12k unknowns)
 /// LDL' needs 0.7 of the time of LL', at 73 (a membrane of 2.7k) 1.4, at 110 (8k) 2 to 3 (bench/linear_solver_bench).
 constexpr double kWideFlopsPerNonzero = 65;
-/// Right-hand sides that are solved together.
-constexpr int kBlockColumns = 32;
+/// Numbers of right-hand sides that are solved together, widest first. Each has workspaces of its own, because CHOLMOD
+/// allocates them anew whenever their shape changes.
+constexpr std::array<int, 4> kBlockColumns{32, 8, 4, 1};
 
 /// Keeps CHOLMOD's own OpenMP loops on the calling thread while it lives: they start four threads for loops of
 /// microseconds otherwise, whatever the environment asks for. The setting belongs to the calling thread alone.
@@ -145,8 +147,11 @@ struct LinearSolver::Impl {
   Statistics statistics;
   // Written by solves.
   cholmod_common common{};
-  cholmod_dense* y = nullptr;
-  cholmod_dense* e = nullptr;
+  struct Workspace {
+    cholmod_dense* y = nullptr;
+    cholmod_dense* e = nullptr;
+  };
+  std::array<Workspace, kBlockColumns.size()> workspaces;
 
   Impl() {
     cholmod_start(&common);
@@ -160,8 +165,10 @@ struct LinearSolver::Impl {
   }
   ~Impl() {
     cholmod_free_factor(&factor, &common);
-    cholmod_free_dense(&y, &common);
-    cholmod_free_dense(&e, &common);
+    for (Workspace& w : workspaces) {
+      cholmod_free_dense(&w.y, &common);
+      cholmod_free_dense(&w.e, &common);
+    }
     cholmod_finish(&common);
   }
   Impl(const Impl&) = delete;
@@ -291,11 +298,14 @@ struct LinearSolver::Impl {
     const int* rows = static_cast<const int*>(factor->pi);
     const int* first = static_cast<const int*>(factor->px);
     const double* x = static_cast<const double*>(factor->x);
-    const int reached = static_cast<int>(std::min<std::size_t>(factor->minor, unknowns));
+    if (factor->minor < static_cast<std::size_t>(unknowns)) {
+      report.failed_at = full_index[order[factor->minor]];
+      return report;
+    }
     for (int s = 0; s < static_cast<int>(factor->nsuper); ++s) {
       const std::ptrdiff_t height = rows[s + 1] - rows[s];
       for (int k = super[s]; k < super[s + 1]; ++k) {
-        const double d = k < reached ? x[first[s] + (k - super[s]) * (height + 1)] : 0;
+        const double d = x[first[s] + (k - super[s]) * (height + 1)];
         if (d > 0 && d <= std::numeric_limits<double>::max()) continue;
         report.failed_at = full_index[order[k]];
         return report;
@@ -307,12 +317,12 @@ struct LinearSolver::Impl {
     return report;
   }
 
-  /// Solves for `columns` right-hand sides stored one after the other. x may be b.
-  void solve_block(const double* b, double* x, int columns) {
+  /// Solves for kBlockColumns[width] right-hand sides stored one after the other. x may be b.
+  void solve_block(const double* b, double* x, std::size_t width) {
     const auto describe = [&](double* data) {
       cholmod_dense d{};
       d.nrow = d.d = static_cast<std::size_t>(unknowns);
-      d.ncol = static_cast<std::size_t>(columns);
+      d.ncol = static_cast<std::size_t>(kBlockColumns[width]);
       d.nzmax = d.nrow * d.ncol;
       d.x = data;
       d.xtype = CHOLMOD_REAL;
@@ -320,11 +330,17 @@ struct LinearSolver::Impl {
       return d;
     };
     cholmod_dense right = describe(const_cast<double*>(b));  // only read
-    cholmod_dense left = describe(x);                        // large enough, so CHOLMOD writes into it
+    cholmod_dense left = describe(x);                        // of the right shape, so CHOLMOD writes into it
     cholmod_dense* left_handle = &left;
+    if (cholmod_dense* y = workspaces[width].y; y != nullptr && !factor->is_super) {
+      // CHOLMOD narrows it to the columns in use and would not know it again: put back the shape it was allocated with.
+      y->ncol = static_cast<std::size_t>(unknowns);
+      y->nrow = y->d = y->nzmax / y->ncol;
+    }
     const OneThread one_thread;
     factor->ordering = CHOLMOD_GIVEN;  // makes the solve apply factor->Perm
-    const int ok = cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &left_handle, nullptr, &y, &e, &common);
+    const int ok = cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &left_handle, nullptr, &workspaces[width].y,
+                                  &workspaces[width].e, &common);
     factor->ordering = CHOLMOD_NATURAL;
     LISSOM_ASSERT(ok && left_handle == &left);
   }
@@ -366,7 +382,7 @@ void LinearSolver::solve(const VecX& b, VecX& x) const {
   LISSOM_ASSERT(impl_->unknowns == 0 || impl_->complete);
   LISSOM_ASSERT(b.size() == impl_->unknowns);
   x.resize(b.size());
-  if (impl_->unknowns > 0) impl_->solve_block(b.data(), x.data(), 1);
+  if (impl_->unknowns > 0) impl_->solve_block(b.data(), x.data(), kBlockColumns.size() - 1);
 }
 
 void LinearSolver::solve_many(const MatX& b, MatX& x) const {
@@ -374,9 +390,11 @@ void LinearSolver::solve_many(const MatX& b, MatX& x) const {
   LISSOM_ASSERT(b.rows() == impl_->unknowns);
   x.resize(b.rows(), b.cols());
   if (impl_->unknowns == 0) return;
-  for (Eigen::Index c = 0; c < b.cols(); c += kBlockColumns) {
-    const int columns = static_cast<int>(std::min<Eigen::Index>(kBlockColumns, b.cols() - c));
-    impl_->solve_block(b.col(c).data(), x.col(c).data(), columns);
+  Eigen::Index done = 0;
+  for (std::size_t width = 0; width < kBlockColumns.size(); ++width) {
+    for (; done + kBlockColumns[width] <= b.cols(); done += kBlockColumns[width]) {
+      impl_->solve_block(b.col(done).data(), x.col(done).data(), width);
+    }
   }
 }
 
