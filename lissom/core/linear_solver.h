@@ -27,7 +27,12 @@ struct FactorReport {
   int failed_at = -1;           ///< first index (of the full matrix) at which it stopped or met a pivot <= 0; -1 if none
 };
 
-/// Analysed once for the rows and columns of `pattern` that are kept, then factorised again and again without allocation.
+/// Analysed once for the rows and columns of `pattern` that are kept, then factorised again and again. LDL' allocates
+/// nothing after the first factorisation and the first solve of each width; LL' asks for small work blocks inside the library.
+///
+/// Runs on the calling thread alone, whatever the environment says: the libraries' own threads cost more than they bring
+/// at these sizes. To that end the first solver sets OpenBLAS, for the whole process, to one thread. Different solvers
+/// may be used in different threads at once; one solver may not, not even its const members, which share work space.
 class LinearSolver {
  public:
   /// `kept[i]` >= 0 numbers the unknowns; rows and columns with a negative entry are left out (fixed DoFs).
@@ -40,11 +45,13 @@ class LinearSolver {
   int unknowns() const;
 
   /// Factorises K + shift * diag(metric), K = the kept part of the matrix with these values (full pattern).
-  /// `metric` has one entry per unknown; it may be empty when shift is 0.
+  /// `metric` has one entry per unknown; it may be empty when shift is 0. Numbers that are not finite, singular matrices
+  /// and overflow end in an incomplete report. Same values, same bits.
   FactorReport factorize(std::span<const double> values, double shift = 0, std::span<const double> metric = {});
 
-  /// Solves with the last complete factor. b and x have one entry (row) per unknown; x may be b. Thread-compatible.
+  /// Solves with the last complete factor. b and x have one entry (row) per unknown; x may be b.
   void solve(const VecX& b, VecX& x) const;
+  /// `solve_many` takes blocks of 32 columns and costs less per column than `solve` from 4 columns on.
   void solve_many(const MatX& b, MatX& x) const;
 
   struct Statistics {

@@ -7,10 +7,11 @@
 
 namespace lissom {
 
-/// A fixed set of worker threads that wait between jobs. Not reentrant: a job must not start another on its own pool.
+/// A fixed set of worker threads that wait between jobs. Not reentrant: a job must not start another on its own pool,
+/// and only one thread at a time may call `run`. Pieces must not throw.
 class ThreadPool {
  public:
-  /// `threads` counts the calling thread; 1 starts none.
+  /// `threads` counts the calling thread; 1 (or less) starts none.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -30,12 +31,13 @@ class ThreadPool {
 template <class Body>
 void parallel_for(ThreadPool* pool, int count, int grain, const Body& body) {
   if (count <= 0) return;
-  const int pieces = (count + grain - 1) / grain;
+  const int pieces = (count - 1) / grain + 1;
   if (pool == nullptr || pool->threads() == 1 || pieces == 1) {
     body(0, count);
     return;
   }
-  pool->run(pieces, [&](int i) { body(i * grain, i + 1 == pieces ? count : (i + 1) * grain); });
+  const auto chunk = [&](int i) { body(i * grain, i + 1 == pieces ? count : (i + 1) * grain); };
+  pool->run(pieces, std::cref(chunk));  // a reference fits into std::function without allocation
 }
 
 }  // namespace lissom

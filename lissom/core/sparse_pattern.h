@@ -33,7 +33,7 @@ class SparsePattern {
   std::vector<int> row_;
 };
 
-/// y = A x for the symmetric matrix with this pattern and these values.
+/// y = A x for the symmetric matrix with this pattern and these values. y must not be x.
 void multiply(const SparsePattern& pattern, std::span<const double> values, const VecX& x, VecX& y);
 
 }  // namespace lissom
