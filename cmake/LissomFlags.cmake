@@ -32,6 +32,7 @@ function(lissom_flags target)
   endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>  # GCC 12 misreads Eigen's vector loads of Vector3d
     $<$<BOOL:${LISSOM_WERROR}>:-Werror>
     -ffp-contract=off)
   if(LISSOM_ARCH)

@@ -8,6 +8,13 @@
 
 #include <Eigen/Core>
 
+/// Arithmetic on duals is loops over hundreds of numbers: inlining it buys nothing and costs minutes of compilation.
+#if defined(__GNUC__)
+#define LISSOM_NOINLINE __attribute__((noinline))
+#else
+#define LISSOM_NOINLINE
+#endif
+
 namespace lissom {
 
 /// a + g.d + 1/2 d'H d for N active variables d; H is stored as its lower triangle, row by row.
@@ -30,13 +37,13 @@ struct Dual2 {
 
   double hessian(int i, int j) const { return i >= j ? h[i * (i + 1) / 2 + j] : h[j * (j + 1) / 2 + i]; }
 
-  Dual2& operator+=(const Dual2& o) {
+  LISSOM_NOINLINE Dual2& operator+=(const Dual2& o) {
     a += o.a;
     for (int i = 0; i < N; ++i) g[i] += o.g[i];
     for (int i = 0; i < kHessian; ++i) h[i] += o.h[i];
     return *this;
   }
-  Dual2& operator-=(const Dual2& o) {
+  LISSOM_NOINLINE Dual2& operator-=(const Dual2& o) {
     a -= o.a;
     for (int i = 0; i < N; ++i) g[i] -= o.g[i];
     for (int i = 0; i < kHessian; ++i) h[i] -= o.h[i];
@@ -45,10 +52,10 @@ struct Dual2 {
   Dual2& operator*=(const Dual2& o) { return *this = *this * o; }
   Dual2& operator/=(const Dual2& o) { return *this = *this / o; }
 
-  friend Dual2 operator+(Dual2 x, const Dual2& y) { return x += y; }
-  friend Dual2 operator-(Dual2 x, const Dual2& y) { return x -= y; }
-  friend Dual2 operator-(const Dual2& x) { return chain(x, -x.a, -1, 0); }
-  friend Dual2 operator*(const Dual2& x, const Dual2& y) {
+  LISSOM_NOINLINE friend Dual2 operator+(Dual2 x, const Dual2& y) { return x += y; }
+  LISSOM_NOINLINE friend Dual2 operator-(Dual2 x, const Dual2& y) { return x -= y; }
+  LISSOM_NOINLINE friend Dual2 operator-(const Dual2& x) { return chain(x, -x.a, -1, 0); }
+  LISSOM_NOINLINE friend Dual2 operator*(const Dual2& x, const Dual2& y) {
     Dual2 r(x.a * y.a);
     for (int i = 0, k = 0; i < N; ++i) {
       r.g[i] = x.a * y.g[i] + y.a * x.g[i];
@@ -56,7 +63,7 @@ struct Dual2 {
     }
     return r;
   }
-  friend Dual2 operator/(const Dual2& x, const Dual2& y) {
+  LISSOM_NOINLINE friend Dual2 operator/(const Dual2& x, const Dual2& y) {
     const double inverse = 1 / y.a;
     return x * chain(y, inverse, -inverse * inverse, 2 * inverse * inverse * inverse);
   }
@@ -66,7 +73,7 @@ struct Dual2 {
   friend bool operator>=(const Dual2& x, const Dual2& y) { return x.a >= y.a; }
 
   /// f(x) from f, f' and f'' at x.a.
-  static Dual2 chain(const Dual2& x, double f, double f1, double f2) {
+  LISSOM_NOINLINE static Dual2 chain(const Dual2& x, double f, double f1, double f2) {
     Dual2 r(f);
     for (int i = 0, k = 0; i < N; ++i) {
       r.g[i] = f1 * x.g[i];

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "lissom/mechanics/joint_corotational.h"
+#include "lissom/mechanics/corotational_joints.h"
+#include "lissom/mechanics/joint_corotational_kernel.h"
 #include "lissom/mechanics/joint_explicit.h"
 #include "lissom/mechanics/loads.h"
 #include "lissom/mechanics/rod_bend_twist.h"
@@ -27,10 +28,6 @@ struct Source {
     return select(model, system.structure, at, where_at + "/at");
   }
 };
-
-std::array<double, kPairRestCount> spring(const PairRest& r) {
-  return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length};
-}
 
 template <class E>
 void add(Terms& terms, E energy) {
@@ -58,17 +55,10 @@ Status bend_twist(const Source& source, Terms& terms) {
     const int c = 3 * structure.edges[pair.edge1].node1;
     energy.stencils.push_back({{a, a + 1, a + 2, b, b + 1, b + 2, c, c + 1, c + 2,
                                 source.system.layout.roll(pair.edge0), source.system.layout.roll(pair.edge1)},
-                               spring(source.system.rest.pairs[p]), p, pair.edge0, pair.edge1});
+                               rest_values(source.system.rest.pairs[p]), p, pair.edge0, pair.edge1});
   }
   add(terms, std::move(energy));
   return {};
-}
-
-std::array<double, kConnectionRestCount> connection_rest(const PairRest& r) {
-  const std::array<double, kPairRestCount> s = spring(r);
-  std::array<double, kConnectionRestCount> rest{};
-  std::copy(s.begin(), s.end(), rest.begin());
-  return rest;
 }
 
 Status explicit_joints(const Source& source, Terms& terms) {
@@ -81,40 +71,10 @@ Status explicit_joints(const Source& source, Terms& terms) {
     const StructureEdge& edge = system.structure.edges[c.edge];
     const int a = 3 * edge.node0, b = 3 * edge.node1;
     energy.stencils.push_back({{a, a + 1, a + 2, b, b + 1, b + 2, system.layout.roll(c.edge), r, r + 1, r + 2},
-                               connection_rest(system.rest.connections[k]), k, c.edge, c.joint, c.direction, c.rest});
+                               connection_rest_values(system.rest.connections[k]), k, c.edge, c.joint, c.direction, c.rest});
   }
   add(terms, std::move(energy));
   return {};
-}
-
-template <int K>
-void corotational_joints_of(const Source& source, Terms& terms) {
-  const System& system = source.system;
-  JointCorotational<K> energy;
-  for (int j = 0; j < system.joint_count(); ++j) {
-    const int first = system.first_connection[j];
-    if (system.layout.rotation(j) >= 0 || system.first_connection[j + 1] - first != K) continue;
-    typename JointCorotational<K>::Stencil s;
-    s.joint = j;
-    s.weights = source.model.joint_weights;
-    const int node = system.structure.joints[j].node;
-    for (int c = 0; c < 3; ++c) s.dofs[c] = 3 * node + c;
-    for (int i = 0; i < K; ++i) {
-      const Connection& connection = system.connections[first + i];
-      const StructureEdge& edge = system.structure.edges[connection.edge];
-      const int far = connection.direction > 0 ? edge.node1 : edge.node0;
-      for (int c = 0; c < 3; ++c) s.dofs[3 + 3 * i + c] = 3 * far + c;
-      s.dofs[3 + 3 * K + i] = system.layout.roll(connection.edge);
-      s.connection[i] = first + i;
-      s.edge[i] = connection.edge;
-      s.direction[i] = connection.direction;
-      s.rest_frame[i] = connection.rest;
-      const auto rest = connection_rest(system.rest.connections[first + i]);
-      std::copy(rest.begin(), rest.end(), s.rest.begin() + i * kConnectionRestCount);
-    }
-    energy.stencils.push_back(s);
-  }
-  add(terms, std::move(energy));
 }
 
 Status corotational_joints(const Source& source, Terms& terms) {
@@ -126,13 +86,7 @@ Status corotational_joints(const Source& source, Terms& terms) {
                    "make this joint explicit"};
     }
   }
-  corotational_joints_of<2>(source, terms);
-  corotational_joints_of<3>(source, terms);
-  corotational_joints_of<4>(source, terms);
-  corotational_joints_of<5>(source, terms);
-  corotational_joints_of<6>(source, terms);
-  corotational_joints_of<7>(source, terms);
-  corotational_joints_of<8>(source, terms);
+  append_corotational_joints(source.model, source.system, terms);
   return {};
 }
 

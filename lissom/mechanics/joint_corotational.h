@@ -9,30 +9,6 @@
 
 namespace lissom {
 
-/// Nearest rotation to N near R0, as the rotation vector r with R = exp([r]) R0: Newton's method on the moment
-/// axl(N R') = 0, carried out in duals so that derivatives come out exactly (R0 already solves it for the values).
-template <class T>
-Vec3T<T> matched_turn(const Eigen::Matrix<T, 3, 3>& covariance, const Mat3& r0, int steps) {
-  const Eigen::Matrix<T, 3, 3> m = covariance * r0.transpose().cast<T>();
-  Vec3T<T> r(T(0), T(0), T(0));
-  for (int k = 0; k < steps; ++k) {
-    // Columns of exp([r]); moment(r) = sum_j (R e_j) x (M e_j); Jacobian at the values: -(tr S I - S).
-    Vec3T<T> moment(T(0), T(0), T(0));
-    Mat3 jacobian = Mat3::Zero();
-    for (int j = 0; j < 3; ++j) {
-      const Vec3T<T> axis = rotated_by_vector<T>(r, Vec3(Vec3::Unit(j)).cast<T>());
-      const Vec3T<T> column = m.col(j);
-      moment += axis.cross(column);
-      const Vec3 a(primal(axis[0]), primal(axis[1]), primal(axis[2]));
-      const Vec3 c(primal(column[0]), primal(column[1]), primal(column[2]));
-      jacobian += c * a.transpose() - a.dot(c) * Mat3::Identity();
-    }
-    const Mat3 inverse = (-0.5 * (jacobian + jacobian.transpose())).inverse();
-    r += inverse.cast<T>() * moment;
-  }
-  return r;
-}
-
 template <int K>
 struct JointCorotational {
   static constexpr std::string_view kName = "joint_corotational";
@@ -50,55 +26,26 @@ struct JointCorotational {
     JointWeights weights;
   };
   struct Frozen {
-    std::array<Vec3, K> t, b;
-    std::array<double, K> twist;
-    Mat3 rotation;
-    const Stencil* stencil;
+    CorotationalAnchors anchors;
   };
   Frozen frozen(const State& state, const Stencil& s) const {
-    Frozen f;
+    CorotationalAnchors f;
+    f.count = K;
+    f.weights = s.weights;
+    f.rotation = state.joint_rotation[s.joint];
     for (int i = 0; i < K; ++i) {
       const EdgeState& e = state.edges[s.edge[i]];
-      f.t[i] = e.t;
-      f.b[i] = e.reference_b;
-      f.twist[i] = state.connection_twist[s.connection[i]];
+      f.edge[i] = {e.t, e.reference_b, state.connection_twist[s.connection[i]], s.direction[i], s.rest_frame[i]};
     }
-    f.rotation = state.joint_rotation[s.joint];
-    f.stencil = &s;
-    return f;
+    return {f};
   }
 
   template <class T>
   static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen& f) {
-    const Stencil& s = *f.stencil;
-    std::array<FrameT<T>, K> edge, at_rest;
-    Eigen::Matrix<T, 3, 3> covariance;
-    covariance.setConstant(T(0));
-    for (int i = 0; i < K; ++i) {
-      const T* r = rest.data() + i * kConnectionRestCount;
-      const T sign(s.direction[i]);
-      const Vec3T<T> e((x[3 + 3 * i] - x[0]) * sign, (x[4 + 3 * i] - x[1]) * sign, (x[5 + 3 * i] - x[2]) * sign);
-      edge[i] = edge_frame<T>(e, x[3 + 3 * K + i], f.t[i], f.b[i]);
-      const Vec3T<T> turn(r[kRestTurn], r[kRestTurn + 1], r[kRestTurn + 2]);
-      at_rest[i].t = rotated_by_vector<T>(turn, s.rest_frame[i].t.template cast<T>());
-      at_rest[i].b = rotated_by_vector<T>(turn, s.rest_frame[i].b.template cast<T>());
-      const ConnectionWeights<T> w = connection_weights<T>(r, s.weights);
-      covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose();
-    }
-    const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps);
-    T v(0);
-    for (int i = 0; i < K; ++i) {
-      const auto held_axis = [&](const Vec3T<T>& axis) {
-        return rotated_by_vector<T>(turn, Vec3T<T>(f.rotation.cast<T>() * axis));
-      };
-      const FrameT<T> held{held_axis(at_rest[i].t), held_axis(at_rest[i].b)};
-      const std::span<const T, kPairRestCount> spring(rest.data() + i * kConnectionRestCount, kPairRestCount);
-      v += s.direction[i] > 0
-               ? bend_twist_energy<T>(curvature(held, edge[i]), twist(held, edge[i], f.twist[i]), spring)
-               : bend_twist_energy<T>(curvature(edge[i], held), twist(edge[i], held, f.twist[i]), spring);
-    }
-    return v;
+    return corotational_value<T>(x.data(), rest.data(), f.anchors);
   }
+  /// One dual type serves joints of any number of edges: its instantiation is what costs.
+  static constexpr int kDualSize = kCorotationalDualSize;
 
   using Lane = double;
   template <class T>
@@ -128,9 +75,6 @@ struct JointCorotational {
   static void derivatives(const Local<T>& a, T* gradient, T* hessian) {
     corotational_derivatives<K>(a.edge, a.rotation, gradient, hessian);
   }
-
-  /// Newton steps of matched_turn: two give the derivatives, the rest the values away from the anchor.
-  static constexpr int kMatchingSteps = 12;
 
   std::vector<Stencil> stencils;
 };

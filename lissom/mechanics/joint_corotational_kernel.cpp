@@ -102,9 +102,9 @@ void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotatio
                                                           e.rest, hessian != nullptr);
     const int at[2] = {leaves ? n : 3 * i, leaves ? 3 * i : n};
     for (int a = 0; a < 2; ++a) {
-      g.segment<3>(at[a]) += d.gradient.segment<3>(3 * a);
+      g.template segment<3>(at[a]) += d.gradient.template segment<3>(3 * a);
       if (hessian == nullptr) continue;
-      for (int b = 0; b < 2; ++b) h.block<3, 3>(at[a], at[b]) += d.hessian.block<3, 3>(3 * a, 3 * b);
+      for (int b = 0; b < 2; ++b) h.template block<3, 3>(at[a], at[b]) += d.hessian.template block<3, 3>(3 * a, 3 * b);
     }
   }
   // r follows w.
@@ -138,8 +138,8 @@ void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotatio
   for (int i = 0; i < K; ++i) {
     Mat4 second = edge_rotation_curvature(g_w.template segment<3>(3 * i), edges[i].frame.t, edges[i].length);
     // The sign of e cancels in the block by (e, e) and stays in the one by (e, theta).
-    second.block<3, 1>(0, 3) *= edges[i].direction;
-    second.block<1, 3>(3, 0) *= edges[i].direction;
+    second.template block<3, 1>(0, 3) *= edges[i].direction;
+    second.template block<1, 3>(3, 0) *= edges[i].direction;
     h_e.template block<4, 4>(4 * i, 4 * i) += second;
   }
   // Columns of the map from unknowns to (e, theta): +-1 entries only.

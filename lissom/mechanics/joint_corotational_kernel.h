@@ -1,6 +1,8 @@
 #pragma once
 /// Closed-form derivatives of the corotational joint for any number of edges [mathematics 2.3].
 
+#include <array>
+
 #include "lissom/geometry/frame.h"
 #include "lissom/mechanics/strain.h"
 #include "lissom/model/model.h"
@@ -20,6 +22,29 @@ ConnectionWeights<T> connection_weights(const T* rest, JointWeights kind) {
   return {bend / (edge_length * T(2)), rest[kTwistStiffness] / edge_length};
 }
 
+/// Joints of 2 to this many edges can be corotational.
+inline constexpr int kMaxCorotationalEdges = 8;
+/// Active variables of the automatic derivatives: all unknowns of the largest joint and five rest quantities.
+inline constexpr int kCorotationalDualSize = 3 + 4 * kMaxCorotationalEdges + 5;
+
+/// History of one joint and its edges, constant while the unknowns vary.
+struct CorotationalAnchors {
+  struct Edge {
+    Vec3 t = Vec3::UnitX(), reference_b = Vec3::UnitY();
+    double twist = 0;
+    int direction = 1;
+    Frame rest_frame;
+  };
+  int count = 0;
+  std::array<Edge, kMaxCorotationalEdges> edge;
+  Mat3 rotation = Mat3::Identity();
+  JointWeights weights = JointWeights::kEnergy;
+};
+
+/// Energy by (joint node, far nodes, rolls) and the connections' rest numbers; T is double or Dual2<kCorotationalDualSize>.
+template <class T>
+T corotational_value(const T* x, const T* rest, const CorotationalAnchors& anchors);
+
 /// One edge of a corotational joint in a state.
 struct CorotationalEdge {
   FrameT<double> frame;
@@ -31,9 +56,6 @@ struct CorotationalEdge {
 };
 
 double corotational_energy(const CorotationalEdge* edges, int count, const Mat3& rotation);
-
-/// Joints of 2 to this many edges can be corotational.
-inline constexpr int kMaxCorotationalEdges = 8;
 
 /// Gradient (3 + 4 K) by (joint node, far nodes, rolls) and, unless null, the lower triangle of the Hessian by rows.
 template <int K>

@@ -32,6 +32,9 @@ namespace lissom {
 template <class E>
 concept HasFastPath = requires { typename E::Lane; };
 
+/// Up to this many rest quantities are differentiated in one go.
+inline constexpr int kRestAtOnce = 10;
+
 template <class E>
 class StencilTerm final : public EnergyTerm {
  public:
@@ -96,20 +99,26 @@ class StencilTerm final : public EnergyTerm {
   }
 
   StencilDerivatives automatic(const State& state, const VecX& dq, int index) const override {
-    using Dual = Dual2<E::kDofs + E::kRest>;
     const auto& s = energy_.stencils[index];
-    std::array<Dual, E::kDofs> x;
-    std::array<Dual, E::kRest> rest;
-    for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]] + dq[s.dofs[i]], i);
-    for (int i = 0; i < E::kRest; ++i) rest[i] = Dual::variable(s.rest[i], E::kDofs + i);
-    const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
-    StencilDerivatives d{v.a, VecX(E::kDofs), MatX(E::kDofs, E::kDofs), MatX(E::kDofs, E::kRest), VecX(E::kRest)};
-    for (int i = 0; i < E::kDofs; ++i) {
-      d.gradient[i] = v.g[i];
-      for (int j = 0; j < E::kDofs; ++j) d.hessian(i, j) = v.hessian(i, j);
-      for (int j = 0; j < E::kRest; ++j) d.mixed(i, j) = v.hessian(i, E::kDofs + j);
+    StencilDerivatives d{0, VecX(E::kDofs), MatX(E::kDofs, E::kDofs), MatX(E::kDofs, E::kRest), VecX(E::kRest)};
+    // Rest quantities are made active a few at a time: the size of a dual grows with the square of its variables.
+    for (int begin = 0; begin < E::kRest; begin += kRestChunk) {
+      using Dual = Dual2<dual_size()>;
+      std::array<Dual, E::kDofs> x;
+      std::array<Dual, E::kRest> rest;
+      for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]] + dq[s.dofs[i]], i);
+      for (int i = 0; i < E::kRest; ++i) rest[i] = s.rest[i];
+      const int end = std::min(E::kRest, begin + kRestChunk);
+      for (int i = begin; i < end; ++i) rest[i] = Dual::variable(s.rest[i], E::kDofs + i - begin);
+      const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
+      d.energy = v.a;
+      for (int i = 0; i < E::kDofs; ++i) {
+        d.gradient[i] = v.g[i];
+        for (int j = 0; j < E::kDofs; ++j) d.hessian(i, j) = v.hessian(i, j);
+        for (int j = begin; j < end; ++j) d.mixed(i, j) = v.hessian(i, E::kDofs + j - begin);
+      }
+      for (int j = begin; j < end; ++j) d.rest_gradient[j] = v.g[E::kDofs + j - begin];
     }
-    for (int j = 0; j < E::kRest; ++j) d.rest_gradient[j] = v.g[E::kDofs + j];
     return d;
   }
 
@@ -123,6 +132,15 @@ class StencilTerm final : public EnergyTerm {
 
  private:
   static constexpr int kLanes = Pack::kLanes;
+  static constexpr int kRestChunk = E::kRest <= kRestAtOnce ? E::kRest : 5;
+
+  static constexpr int dual_size() {
+    if constexpr (requires { E::kDualSize; }) {
+      return E::kDualSize;
+    } else {
+      return E::kDofs + kRestChunk;
+    }
+  }
 
   const typename E::Stencil& stencil(int group, int lane) const {
     return energy_.stencils[std::min(group * kLanes + lane, stencils() - 1)];
@@ -135,12 +153,12 @@ class StencilTerm final : public EnergyTerm {
   void for_lanes(const State& state, int group, const F& f) const {
     using Lane = typename E::Lane;
     if constexpr (std::is_same_v<Lane, Pack>) {
-      typename E::template Local<Pack> local;
+      typename E::template Local<Pack> local{};
       for (int lane = 0; lane < kLanes; ++lane) energy_.gather(state, stencil(group, lane), lane, local);
       f(local, 0);
     } else {
       for (int lane = 0; lane < kLanes; ++lane) {
-        typename E::template Local<double> local;
+        typename E::template Local<double> local{};
         energy_.gather(state, stencil(group, lane), 0, local);
         f(local, lane);
       }

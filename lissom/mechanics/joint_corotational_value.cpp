@@ -1,0 +1,73 @@
+#include <Eigen/Dense>
+
+#include "lissom/mechanics/joint_corotational_kernel.h"
+#include "lissom/mechanics/joint_explicit.h"
+
+namespace lissom {
+
+namespace {
+
+/// Newton steps of matched_turn: two give the derivatives, the rest the values away from the anchor.
+constexpr int kMatchingSteps = 12;
+
+/// Nearest rotation to N near R0, as the rotation vector r with R = exp([r]) R0: Newton's method on the moment
+/// axl(N R') = 0, carried out in duals so that derivatives come out exactly (R0 already solves it for the values).
+template <class T>
+Vec3T<T> matched_turn(const Eigen::Matrix<T, 3, 3>& covariance, const Mat3& r0, int steps) {
+  const Eigen::Matrix<T, 3, 3> m = covariance * r0.transpose().cast<T>();
+  Vec3T<T> r(T(0), T(0), T(0));
+  for (int k = 0; k < steps; ++k) {
+    // Columns of exp([r]); moment(r) = sum_j (R e_j) x (M e_j); Jacobian at the values: -(tr S I - S).
+    Vec3T<T> moment(T(0), T(0), T(0));
+    Mat3 jacobian = Mat3::Zero();
+    for (int j = 0; j < 3; ++j) {
+      const Vec3T<T> axis = rotated_by_vector<T>(r, Vec3(Vec3::Unit(j)).cast<T>());
+      const Vec3T<T> column = m.col(j);
+      moment += axis.cross(column);
+      const Vec3 a(primal(axis[0]), primal(axis[1]), primal(axis[2]));
+      const Vec3 c(primal(column[0]), primal(column[1]), primal(column[2]));
+      jacobian += c * a.transpose() - a.dot(c) * Mat3::Identity();
+    }
+    const Mat3 inverse = (-0.5 * (jacobian + jacobian.transpose())).inverse();
+    r += inverse.cast<T>() * moment;
+  }
+  return r;
+}
+
+}  // namespace
+
+template <class T>
+T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
+  std::array<FrameT<T>, kMaxCorotationalEdges> edge, at_rest;
+  Eigen::Matrix<T, 3, 3> covariance;
+  covariance.setConstant(T(0));
+  for (int i = 0; i < f.count; ++i) {
+    const T* r = rest + i * kConnectionRestCount;
+    const T sign(f.edge[i].direction);
+    const Vec3T<T> e((x[3 + 3 * i] - x[0]) * sign, (x[4 + 3 * i] - x[1]) * sign, (x[5 + 3 * i] - x[2]) * sign);
+    edge[i] = edge_frame<T>(e, x[3 + 3 * f.count + i], f.edge[i].t, f.edge[i].reference_b);
+    const Vec3T<T> turn(r[kRestTurn], r[kRestTurn + 1], r[kRestTurn + 2]);
+    at_rest[i].t = rotated_by_vector<T>(turn, f.edge[i].rest_frame.t.template cast<T>());
+    at_rest[i].b = rotated_by_vector<T>(turn, f.edge[i].rest_frame.b.template cast<T>());
+    const ConnectionWeights<T> w = connection_weights<T>(r, f.weights);
+    covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose();
+  }
+  const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps);
+  T v(0);
+  for (int i = 0; i < f.count; ++i) {
+    const auto held_axis = [&](const Vec3T<T>& axis) {
+      return rotated_by_vector<T>(turn, Vec3T<T>(f.rotation.template cast<T>() * axis));
+    };
+    const FrameT<T> held{held_axis(at_rest[i].t), held_axis(at_rest[i].b)};
+    const std::span<const T, kPairRestCount> spring(rest + i * kConnectionRestCount, kPairRestCount);
+    v += f.edge[i].direction > 0 ? bend_twist_energy<T>(curvature(held, edge[i]), twist(held, edge[i], f.edge[i].twist), spring)
+                            : bend_twist_energy<T>(curvature(edge[i], held), twist(edge[i], held, f.edge[i].twist), spring);
+  }
+  return v;
+}
+
+template double corotational_value<double>(const double*, const double*, const CorotationalAnchors&);
+template Dual2<kCorotationalDualSize> corotational_value<Dual2<kCorotationalDualSize>>(
+    const Dual2<kCorotationalDualSize>*, const Dual2<kCorotationalDualSize>*, const CorotationalAnchors&);
+
+}  // namespace lissom
