@@ -11,7 +11,7 @@
 
 namespace lissom {
 
-enum class Ordering { kBest, kAmd, kMetis };     ///< kBest: the one with fewer counted operations
+enum class Ordering { kBest, kAmd, kMetis };     ///< kBest: AMD, or METIS where AMD is dear and METIS counts fewer operations
 enum class FactorKind { kBest, kLdl, kCholesky };  ///< LDL' (simplicial, gives inertia); LL' (supernodal, stops at a bad pivot)
 
 struct LinearSolverOptions {
