@@ -11,7 +11,7 @@
 
 namespace lissom {
 
-enum class Ordering { kBest, kAmd, kMetis };     ///< kBest: the one with fewer counted operations
+enum class Ordering { kBest, kAmd, kMetis };     ///< kBest: AMD, or METIS where AMD is dear and METIS counts fewer operations
 enum class FactorKind { kBest, kLdl, kCholesky };  ///< LDL' (simplicial, gives inertia); LL' (supernodal, stops at a bad pivot)
 
 struct LinearSolverOptions {
@@ -51,7 +51,7 @@ class LinearSolver {
 
   /// Solves with the last complete factor. b and x have one entry (row) per unknown; x may be b.
   void solve(const VecX& b, VecX& x) const;
-  /// `solve_many` takes blocks of 32 columns and costs less per column than `solve` from 4 columns on.
+  /// Takes blocks of 32 columns, which costs less per column than `solve`.
   void solve_many(const MatX& b, MatX& x) const;
 
   struct Statistics {

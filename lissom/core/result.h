@@ -41,8 +41,10 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
+  // Implicit, so that a function returns its value or its error as it is. NOLINTBEGIN(google-explicit-constructor)
   Result(T value) : content_(std::move(value)) {}
   Result(Error error) : content_(std::move(error)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
@@ -72,7 +74,7 @@ class [[nodiscard]] Result {
 class [[nodiscard]] Status {
  public:
   Status() = default;
-  Status(Error error) : error_(std::move(error)) {}
+  Status(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor): as above
 
   bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }

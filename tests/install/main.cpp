@@ -12,10 +12,12 @@ int main() {
   const Frame frame = frame_from_normal(from, Vec3::UnitZ());
   const Vec3 moved = parallel_transport(from, to, frame.n);
   const Mat3 turn = rotation_from_vector(Vec3(0.3, -0.2, 0.1));
-  const double error = std::abs(moved.dot(to)) + std::abs(moved.norm() - 1) + (turn * turn.transpose() - Mat3::Identity()).norm() +
+  const double error = std::abs(moved.dot(to)) + std::abs(moved.norm() - 1) +
+                       (turn * turn.transpose() - Mat3::Identity()).norm() +
                        (vector_from_rotation(turn) - Vec3(0.3, -0.2, 0.1)).norm();
-  const Result<double> result =
-      error < 1e-14 ? Result<double>(error) : Result<double>(Error{ErrorCode::kRange, "consumer", "frames are wrong", ""});
+  const Result<double> result = error < 1e-14
+                                    ? Result<double>(error)
+                                    : Result<double>(Error{ErrorCode::kRange, "consumer", "frames are wrong", ""});
   if (!result.ok()) {
     std::printf("%s\n", result.error().text().c_str());
     return 1;

@@ -1,8 +1,7 @@
 /// The promises of docs/decisions/0001-house.md that compiler flags can break without a word.
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "lissom/core/types.h"

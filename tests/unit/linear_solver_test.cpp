@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -407,11 +408,13 @@ TEST(LinearSolver, StatisticsNameWhatWasChosen) {
   const Blocks rods = rod_matrices::chain(300);
   EXPECT_EQ(statistics(rods, {}).kind, FactorKind::kLdl);
   EXPECT_EQ(statistics(rods, {}).ordering, Ordering::kAmd);
-  const Blocks sheet = rod_matrices::membrane(50, 50);
+  const Blocks sheet = rod_matrices::membrane(80, 80);
   EXPECT_EQ(statistics(sheet, {}).kind, FactorKind::kCholesky);
   const double amd = statistics(sheet, {.ordering = Ordering::kAmd}).factor_flops;
   const double metis = statistics(sheet, {.ordering = Ordering::kMetis}).factor_flops;
-  EXPECT_EQ(statistics(sheet, {}).factor_flops, std::min(amd, metis));
+  EXPECT_LT(metis, amd);
+  EXPECT_EQ(statistics(sheet, {}).factor_flops, metis);
+  EXPECT_EQ(statistics(sheet, {}).ordering, Ordering::kMetis);
   EXPECT_GE(statistics(sheet, {}).factor_nonzeros, sheet.pattern().nonzeros());
 }
 
