@@ -73,7 +73,7 @@ struct JointCorotational {
 
   template <class T>
   static void derivatives(const Local<T>& a, T* gradient, T* hessian) {
-    corotational_derivatives<K>(a.edge, a.rotation, gradient, hessian);
+    corotational_derivatives(a.edge, K, a.rotation, gradient, hessian);
   }
 
   std::vector<Stencil> stencils;

@@ -9,6 +9,12 @@ namespace lissom {
 
 namespace {
 
+// Sizes known up to a bound: no heap, and one instantiation for joints of any number of edges.
+constexpr int kMaxSize = 3 + 4 * kMaxCorotationalEdges;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxSize, kMaxSize>;
+using Wide = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSize>;
+using Tall = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
+
 Vec3 axial(const Mat3& m) {
   return 0.5 * Vec3(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
 }
@@ -18,17 +24,15 @@ FrameT<double> held_frame(const CorotationalEdge& edge, const Mat3& rotation) {
 }
 
 /// Rotation vector r of the joint as a function of the edges' rotation vectors w: first and second derivatives.
-template <int K>
 struct MatchedRotation {
-  Eigen::Matrix<double, 3, 3 * K> first;                 ///< dr/dw
-  std::array<Eigen::Matrix<double, 3, 3 * K>, 3 * K> second;  ///< d2r/dw_u dw_v = second[u].col(v)
+  Wide first;                                            ///< 3 x 3k, dr/dw
+  std::array<Wide, 3 * kMaxCorotationalEdges> second;    ///< 3 x 3k each: d2r/dw_u dw_v = second[u].col(v)
 };
 
-template <int K>
-MatchedRotation<K> matched_rotation_derivatives(const CorotationalEdge* edges, const Mat3& rotation) {
-  constexpr int n = 3 * K;
+MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int count, const Mat3& rotation) {
+  const int n = 3 * count;
   Mat3 covariance = Mat3::Zero();
-  for (int i = 0; i < K; ++i) {
+  for (int i = 0; i < count; ++i) {
     covariance += edges[i].weight_t * edges[i].frame.t * edges[i].rest_frame.t.transpose() +
                   edges[i].weight_n * edges[i].frame.n() * edges[i].rest_frame.n.transpose();
   }
@@ -38,8 +42,8 @@ MatchedRotation<K> matched_rotation_derivatives(const CorotationalEdge* edges, c
   const Mat3 g_inverse = g.inverse();
 
   // N_u for every component u of w, then omega_u, S_u (3.20).
-  std::array<Mat3, n> n_u, s_u;
-  std::array<Vec3, n> omega;
+  std::array<Mat3, 3 * kMaxCorotationalEdges> n_u, s_u;
+  std::array<Vec3, 3 * kMaxCorotationalEdges> omega;
   const auto covariance_of = [&](const CorotationalEdge& e, const Vec3& dt, const Vec3& dn) -> Mat3 {
     return e.weight_t * dt * e.rest_frame.t.transpose() + e.weight_n * dn * e.rest_frame.n.transpose();
   };
@@ -50,7 +54,9 @@ MatchedRotation<K> matched_rotation_derivatives(const CorotationalEdge* edges, c
     omega[u] = 2 * g_inverse * axial(rotation.transpose() * n_u[u]);
     s_u[u] = rotation.transpose() * (n_u[u] - skew(omega[u]) * rotation * s);
   }
-  MatchedRotation<K> r;
+  MatchedRotation r;
+  r.first.resize(3, n);
+  for (int u = 0; u < n; ++u) r.second[u].resize(3, n);
   for (int u = 0; u < n; ++u) r.first.col(u) = omega[u];
 
   // omega_{u,v} (3.21), then the second derivative of the rotation vector: + 1/2 omega_u x omega_v.
@@ -88,13 +94,13 @@ double corotational_energy(const CorotationalEdge* edges, int count, const Mat3&
   return v;
 }
 
-template <int K>
-void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotation, double* gradient, double* hessian) {
-  constexpr int n = 3 * K;
+void corotational_derivatives(const CorotationalEdge* edges, int count, const Mat3& rotation, double* gradient,
+                              double* hessian) {
+  const int n = 3 * count;
   // The explicit joint in (w_1 .. w_k, r).
-  Eigen::Matrix<double, n + 3, 1> g = Eigen::Matrix<double, n + 3, 1>::Zero();
-  Eigen::Matrix<double, n + 3, n + 3> h = Eigen::Matrix<double, n + 3, n + 3>::Zero();
-  for (int i = 0; i < K; ++i) {
+  Tall g = Tall::Zero(n + 3);
+  Square h = Square::Zero(n + 3, n + 3);
+  for (int i = 0; i < count; ++i) {
     const CorotationalEdge& e = edges[i];
     const FrameT<double> held = held_frame(e, rotation);
     const bool leaves = e.direction > 0;
@@ -102,51 +108,55 @@ void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotatio
                                                           e.rest, hessian != nullptr);
     const int at[2] = {leaves ? n : 3 * i, leaves ? 3 * i : n};
     for (int a = 0; a < 2; ++a) {
-      g.template segment<3>(at[a]) += d.gradient.template segment<3>(3 * a);
+      g.segment<3>(at[a]) += d.gradient.segment<3>(3 * a);
       if (hessian == nullptr) continue;
-      for (int b = 0; b < 2; ++b) h.template block<3, 3>(at[a], at[b]) += d.hessian.template block<3, 3>(3 * a, 3 * b);
+      for (int b = 0; b < 2; ++b) h.block<3, 3>(at[a], at[b]) += d.hessian.block<3, 3>(3 * a, 3 * b);
     }
   }
   // r follows w.
-  const MatchedRotation<K> r = matched_rotation_derivatives<K>(edges, rotation);
-  const Vec3 g_r = g.template tail<3>();
-  const Eigen::Matrix<double, n, 1> g_w = g.template head<n>() + r.first.transpose() * g_r;
+  const MatchedRotation r = matched_rotation_derivatives(edges, count, rotation);
+  const Vec3 g_r = g.tail<3>();
+  const Tall g_w = g.head(n) + r.first.transpose().lazyProduct(g_r);
 
   // Chain to (e, theta) of each edge, then to nodes: e = direction (x_far - x_joint).
-  Eigen::Matrix<double, n, 4 * K> w = Eigen::Matrix<double, n, 4 * K>::Zero();
-  for (int i = 0; i < K; ++i) {
-    w.template block<3, 4>(3 * i, 4 * i) = edge_rotation_jacobian(edges[i].frame.t, edges[i].length);
-    w.template block<3, 3>(3 * i, 4 * i) *= edges[i].direction;
+  Square w = Square::Zero(n, 4 * count);
+  for (int i = 0; i < count; ++i) {
+    w.block<3, 4>(3 * i, 4 * i) = edge_rotation_jacobian(edges[i].frame.t, edges[i].length);
+    w.block<3, 3>(3 * i, 4 * i) *= edges[i].direction;
   }
-  const Eigen::Matrix<double, 4 * K, 1> g_e = w.transpose() * g_w;
-  constexpr int dofs = 3 + 4 * K;
+  const Tall g_e = w.transpose().lazyProduct(g_w);
+  const int dofs = 3 + 4 * count;
   for (int i = 0; i < dofs; ++i) gradient[i] = 0;
-  for (int i = 0; i < K; ++i) {
+  for (int i = 0; i < count; ++i) {
     for (int c = 0; c < 3; ++c) {
       gradient[c] -= g_e[4 * i + c];
       gradient[3 + 3 * i + c] = g_e[4 * i + c];
     }
-    gradient[3 + 3 * K + i] = g_e[4 * i + 3];
+    gradient[3 + 3 * count + i] = g_e[4 * i + 3];
   }
   if (hessian == nullptr) return;
 
-  const Eigen::Matrix<double, n, n> mixed = h.template block<n, 3>(0, n) * r.first;
-  Eigen::Matrix<double, n, n> h_w = h.template block<n, n>(0, 0) + mixed + mixed.transpose() +
-                                    r.first.transpose() * h.template block<3, 3>(n, n) * r.first;
-  for (int u = 0; u < n; ++u) h_w.row(u) += g_r.transpose() * r.second[u];
-  Eigen::Matrix<double, 4 * K, 4 * K> h_e = w.transpose() * h_w * w;
-  for (int i = 0; i < K; ++i) {
-    Mat4 second = edge_rotation_curvature(g_w.template segment<3>(3 * i), edges[i].frame.t, edges[i].length);
+  const Square mixed = h.block(0, n, n, 3).lazyProduct(r.first);
+  const Wide turned = h.block(n, n, 3, 3).lazyProduct(r.first);
+  Square h_w = h.topLeftCorner(n, n);
+  h_w += mixed;
+  h_w += mixed.transpose();
+  h_w += r.first.transpose().lazyProduct(turned);
+  for (int u = 0; u < n; ++u) h_w.row(u) += g_r.transpose().lazyProduct(r.second[u]);
+  const Square h_w_w = h_w.lazyProduct(w);
+  Square h_e = w.transpose().lazyProduct(h_w_w);
+  for (int i = 0; i < count; ++i) {
+    Mat4 second = edge_rotation_curvature(g_w.segment<3>(3 * i), edges[i].frame.t, edges[i].length);
     // The sign of e cancels in the block by (e, e) and stays in the one by (e, theta).
-    second.template block<3, 1>(0, 3) *= edges[i].direction;
-    second.template block<1, 3>(3, 0) *= edges[i].direction;
-    h_e.template block<4, 4>(4 * i, 4 * i) += second;
+    second.block<3, 1>(0, 3) *= edges[i].direction;
+    second.block<1, 3>(3, 0) *= edges[i].direction;
+    h_e.block<4, 4>(4 * i, 4 * i) += second;
   }
   // Columns of the map from unknowns to (e, theta): +-1 entries only.
-  Eigen::Matrix<double, dofs, dofs> full = Eigen::Matrix<double, dofs, dofs>::Zero();
-  const auto place = [&](int i, int c) { return c < 3 ? 3 + 3 * i + c : 3 + 3 * K + i; };
-  for (int i = 0; i < K; ++i) {
-    for (int j = 0; j < K; ++j) {
+  Square full = Square::Zero(dofs, dofs);
+  const auto place = [&](int i, int c) { return c < 3 ? 3 + 3 * i + c : 3 + 3 * count + i; };
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
       for (int a = 0; a < 4; ++a) {
         for (int b = 0; b < 4; ++b) {
           const double k = h_e(4 * i + a, 4 * j + b);
@@ -162,13 +172,5 @@ void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotatio
     for (int j = 0; j <= i; ++j, ++k) hessian[k] = full(i, j);
   }
 }
-
-template void corotational_derivatives<2>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<3>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<4>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<5>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<6>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<7>(const CorotationalEdge*, const Mat3&, double*, double*);
-template void corotational_derivatives<8>(const CorotationalEdge*, const Mat3&, double*, double*);
 
 }  // namespace lissom

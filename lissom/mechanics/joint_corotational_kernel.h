@@ -57,8 +57,8 @@ struct CorotationalEdge {
 
 double corotational_energy(const CorotationalEdge* edges, int count, const Mat3& rotation);
 
-/// Gradient (3 + 4 K) by (joint node, far nodes, rolls) and, unless null, the lower triangle of the Hessian by rows.
-template <int K>
-void corotational_derivatives(const CorotationalEdge* edges, const Mat3& rotation, double* gradient, double* hessian);
+/// Gradient (3 + 4 count) by (joint node, far nodes, rolls) and, unless null, the lower triangle of the Hessian by rows.
+void corotational_derivatives(const CorotationalEdge* edges, int count, const Mat3& rotation, double* gradient,
+                              double* hessian);
 
 }  // namespace lissom

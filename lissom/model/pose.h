@@ -86,8 +86,15 @@ struct Seed {
   double amplitude = 0;          ///< m, height of a half-sine along each rod (or of a dome over a network)
 };
 
+/// Rigid motions that no support prevents.
+enum class RigidMotion {
+  kRemoveNeutral,  ///< taken out where the loads do no work on them, so that nothing could tell one place from another
+  kRemove,       ///< also taken out where the loads balance but prefer one orientation (small-load studies of free parts)
+};
+
 struct Pose {
   std::string name;
+  RigidMotion rigid_motion = RigidMotion::kRemoveNeutral;
   std::vector<Support> supports;
   std::vector<SoftPin> soft_pins;
   std::vector<PointForce> forces;

@@ -1,0 +1,23 @@
+#pragma once
+/// Motions that cost no energy: they make a Hessian singular without saying anything about the shape. Found from the
+/// description, before any solve, and taken out by holding as few unknowns as needed.
+
+#include <string>
+#include <vector>
+
+#include "lissom/core/result.h"
+#include "lissom/mechanics/potential.h"
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+/// Holds further entries of `held` (in local axes) against
+///  - the spin of rods with equal bending stiffnesses that are straight at rest and held in no frame,
+///  - rolls without any spring (a single edge between ball joints),
+///  - rigid motions of a connected part that no support prevents and on which the loads do no work.
+/// An unsupported part that its loads would drive away is an error. `removed` gets one sentence per motion.
+Status remove_null_motions(const Model& model, const System& system, const Pose& pose, const std::string& where,
+                           const std::vector<LocalAxes>& local_axes, std::vector<bool>& held,
+                           std::vector<std::string>& removed);
+
+}  // namespace lissom

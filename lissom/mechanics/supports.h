@@ -1,0 +1,71 @@
+#pragma once
+/// What a pose holds: which unknowns are left, how prescribed ones move with the load factor, and which motions without
+/// any stiffness were taken out, with the reason.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lissom/core/result.h"
+#include "lissom/mechanics/potential.h"
+#include "lissom/mechanics/state.h"
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+class Supports {
+ public:
+  /// `where` is the JSON pointer of the pose, for errors.
+  static Result<Supports> make(const Model& model, const System& system, const Pose& pose, const std::string& where);
+
+  /// Per unknown of the layout (in local axes): its number among the free ones, or -1.
+  std::span<const int> kept() const { return kept_; }
+  int unknowns() const { return unknowns_; }
+  const std::vector<LocalAxes>& local_axes() const { return local_axes_; }
+  /// Whether this unknown is held by the pose itself and not by the removal of a null motion: reactions act there.
+  bool held_by_pose(int dof) const { return held_[dof]; }
+
+  /// Increment (global axes) that brings every prescribed unknown of `state` to its place at `load_factor`; free
+  /// unknowns are 0.
+  VecX prescribed_increment(const System& system, const State& state, double load_factor) const;
+
+  /// Free entries of a vector in local axes, and the other way round (held entries 0).
+  void restrict(const VecX& local, VecX& free) const;
+  void expand(const VecX& free, VecX& local) const;
+
+  /// One sentence per motion that was taken out because nothing resists it.
+  const std::vector<std::string>& removed_motions() const { return removed_; }
+  /// Whether anything moves with the load factor.
+  bool moves() const;
+
+ private:
+  /// A node moved by `move`, or turned with a clamp about `pivot`.
+  struct HeldPosition {
+    int node;
+    Vec3 move = Vec3::Zero();
+    Vec3 arm = Vec3::Zero();  ///< m, from the pivot at rest, when turned
+    Vec3 turn = Vec3::Zero(); ///< rad at load factor 1
+  };
+  struct HeldRotation {
+    int joint;
+    Vec3 turn = Vec3::Zero();  ///< rad at load factor 1
+  };
+  struct HeldRoll {
+    int edge;
+    Vec3 b = Vec3::Zero();     ///< binormal at rest
+    Vec3 turn = Vec3::Zero();
+  };
+
+  friend class SupportsBuilder;
+
+  std::vector<int> kept_;
+  std::vector<bool> held_;
+  int unknowns_ = 0;
+  std::vector<LocalAxes> local_axes_;
+  std::vector<HeldPosition> positions_;
+  std::vector<HeldRotation> rotations_;
+  std::vector<HeldRoll> rolls_;
+  std::vector<std::string> removed_;
+};
+
+}  // namespace lissom
