@@ -11,7 +11,7 @@ namespace lissom {
 struct Pack {
   static constexpr int kLanes = 4;
   typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
-  Lanes v;
+  Lanes v{};
 
   Pack() = default;
   Pack(double x) : v{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs

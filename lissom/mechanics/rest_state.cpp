@@ -21,7 +21,7 @@ Result<RestState> make_rest_state(const Model& model, const Structure& structure
     const SectionStiffness s = section_stiffness(edge.section, *material, model.torsion);
     stiffness.push_back(s);
     const double l = edge.rest_length;
-    rest.edges.push_back({l, s.stretch, s.mass * l, s.roll_inertia * l});
+    rest.edges.push_back({l, s.stretch, s.mass * l, s.roll_inertia * l, (s.bend_b + s.bend_n) / s.stretch});
     for (const int node : {edge.node0, edge.node1}) {
       rest.node_mass[node] += s.mass * l / 2;
       rest.node_length[node] += l / 2;

@@ -14,6 +14,7 @@ struct EdgeRest {
   double stretch = 0;       ///< E A, N
   double mass = 0;          ///< kg
   double roll_inertia = 0;  ///< kg m^2
+  double gyration2 = 0;     ///< m^2, polar second moment of the section over its area
 };
 
 /// Bending and twist spring of an ordered pair of frames: interior vertex, or rod edge against its joint.

@@ -1,0 +1,58 @@
+#pragma once
+/// What every Newton-type method on a static problem shares: assembly, factor, residual, buffers. One per solve.
+
+#include <vector>
+
+#include "lissom/core/context.h"
+#include "lissom/core/linear_solver.h"
+#include "lissom/equilibrium/static_problem.h"
+
+namespace lissom {
+
+class NewtonWorkspace {
+ public:
+  NewtonWorkspace(const StaticProblem& problem, const Context& context);
+
+  const StaticProblem& problem() const { return problem_; }
+  const System& system() const { return *problem_.system; }
+  const Context& context() const { return context_; }
+  LinearSolver& factor() { return factor_; }
+  int factorizations() const { return factorizations_; }
+
+  double energy(const State& state);
+  /// Gradient and Hessian at a state, kept until the next call.
+  void assemble(const State& state);
+  /// Gradient only; leaves the Hessian of the last assembly.
+  void gradient(const State& state, VecX& local);
+
+  const VecX& local_gradient() const { return gradient_; }   ///< all unknowns, local axes
+  const VecX& free_gradient() const { return free_gradient_; }
+  const std::vector<double>& hessian() const { return hessian_; }
+  /// Diagonal with the mean |H_ii| of each class of unknowns: the metric of shifts, per free unknown.
+  const VecX& metric() const { return metric_; }
+
+  /// Factorises the last Hessian + shift * metric.
+  FactorReport factorize(double shift);
+
+  /// y = H x for free unknowns.
+  void multiply_free(const VecX& x, VecX& y);
+
+  /// Largest force, or moment over L0, on a free unknown of a gradient over the free ones, N.
+  double residual(const VecX& free_gradient) const;
+  double residual() const { return residual(free_gradient_); }
+
+  /// d of the free unknowns as an increment of all, in global axes.
+  void to_increment(const VecX& free, VecX& increment) const;
+
+ private:
+  const StaticProblem& problem_;
+  const Context& context_;
+  LinearSolver factor_;
+  AssemblyBuffers buffers_;
+  std::vector<double> hessian_;
+  VecX gradient_, free_gradient_, metric_, local_x_, local_y_;
+  std::vector<int> class_of_;  // per free unknown: 0 position, 1 roll, 2 rotation
+  int factorizations_ = 0;
+};
+
+}  // namespace lissom

@@ -1,0 +1,125 @@
+#include "lissom/equilibrium/static_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "lissom/mechanics/energies.h"
+
+namespace lissom {
+
+namespace {
+
+/// Largest force on a node and largest moment / L0 on a joint from loads that are linear in the unknowns, at factor 1.
+double largest_load(const System& system, const Potential& potential) {
+  State state = drawn_state(system);
+  state.load_factor = 1;
+  AssemblyBuffers buffers;
+  double largest = 0;
+  VecX load = VecX::Zero(system.layout.size());
+  for (const auto& term : potential.terms()) {
+    if (term->has_hessian()) continue;
+    buffers.gradient.resize(static_cast<size_t>(term->groups()) * Pack::kLanes * term->dofs());
+    term->derivatives(state, 0, term->groups(), buffers.gradient.data(), nullptr);
+    for (int s = 0; s < term->stencils(); ++s) {
+      for (int i = 0; i < term->dofs(); ++i) {
+        load[term->indices()[s * term->dofs() + i]] +=
+            buffers.gradient[((s / Pack::kLanes) * term->dofs() + i) * Pack::kLanes + s % Pack::kLanes];
+      }
+    }
+  }
+  for (int i = 0; i < system.layout.nodes(); ++i) largest = std::max(largest, load.segment<3>(3 * i).norm());
+  for (int k = 0; k < system.layout.rotations(); ++k) {
+    const int r = system.layout.rotation(system.layout.joint_of_rotation(k));
+    largest = std::max(largest, load.segment<3>(r).norm() / system.rest.mean_edge_length);
+  }
+  return largest;
+}
+
+Scales make_scales(const System& system, const Potential& potential) {
+  Scales scales;
+  scales.length = system.structure.size;
+  scales.force = std::max(largest_load(system, potential), 1e-6 * system.rest.max_stretch);
+  scales.moment = scales.force * system.rest.mean_edge_length;
+  // An edge length is known to machine precision of the coordinates; the axial force amplifies it by E A / l.
+  double reach = 0, stiffest = 0, bend = 0;
+  for (const Vec3& x : system.structure.nodes) reach = std::max(reach, x.cwiseAbs().maxCoeff());
+  for (const EdgeRest& edge : system.rest.edges) stiffest = std::max(stiffest, edge.stretch / edge.length);
+  for (const PairRest& pair : system.rest.pairs) bend = std::max({bend, pair.bend_1, pair.bend_2});
+  for (const PairRest& pair : system.rest.connections) bend = std::max({bend, pair.bend_1, pair.bend_2});
+  scales.rounding = 4 * std::numeric_limits<double>::epsilon() * stiffest * (reach + scales.length);
+  scales.stiffness = bend > 0 ? bend / std::pow(scales.length, 3) : system.rest.max_stretch / scales.length;
+  return scales;
+}
+
+VecX make_mode_metric(const System& system, const Supports& supports) {
+  VecX metric = VecX::Zero(system.layout.size());
+  double total = 0;
+  for (const EdgeRest& edge : system.rest.edges) total += edge.length;
+  for (int i = 0; i < system.layout.nodes(); ++i) {
+    metric.segment<3>(3 * i).setConstant(system.rest.node_length[i] / total);
+  }
+  for (int e = 0; e < system.edge_count(); ++e) {
+    metric[system.layout.roll(e)] = system.rest.edges[e].length * system.rest.edges[e].gyration2 / total;
+  }
+  VecX free;
+  supports.restrict(metric, free);
+  return free;
+}
+
+}  // namespace
+
+Result<StaticProblem> make_static_problem(const Model& model, const System& system, const Pose& pose,
+                                          const std::string& where) {
+  Result<Supports> supports = Supports::make(model, system, pose, where);
+  if (!supports) return supports.error();
+  auto terms = make_terms(model, system, &pose, where);
+  if (!terms) return terms.error();
+  Potential potential(system.layout.size(), std::move(terms).value(), supports.value().local_axes());
+  const Scales scales = make_scales(system, potential);
+  VecX metric = make_mode_metric(system, supports.value());
+  return StaticProblem{&system, std::move(potential), std::move(supports).value(), scales, std::move(metric)};
+}
+
+State start_state(const StaticProblem& problem, const Pose& pose) {
+  const System& system = *problem.system;
+  State state = drawn_state(system);
+  if (!pose.seed || pose.seed->amplitude == 0) return state;
+  // Half-sine along each rod; over a network, a dome that vanishes on the held nodes' side of the bounding box.
+  const Vec3 direction = pose.seed->direction.normalized();
+  VecX dq = VecX::Zero(system.layout.size());
+  const bool network = system.structure.rods.size() > 1;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Vec3& x : system.structure.nodes) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  for (const StructureRod& rod : system.structure.rods) {
+    for (size_t k = 0; k < rod.nodes.size(); ++k) {
+      const int node = rod.nodes[k];
+      double height = 1;
+      if (network) {
+        for (int i = 0; i < 3; ++i) {
+          const double extent = high[i] - low[i];
+          if (extent <= 1e-9 * system.structure.size) continue;
+          height *= std::sin(std::numbers::pi * (system.structure.nodes[node][i] - low[i]) / extent);
+        }
+      } else {
+        height = std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(rod.nodes.size() - 1));
+      }
+      dq.segment<3>(3 * node) = pose.seed->amplitude * height * direction;
+    }
+  }
+  // Held unknowns stay where they are.
+  problem.potential.to_local(dq);
+  for (int i = 0; i < dq.size(); ++i) {
+    if (problem.supports.kept()[i] < 0) dq[i] = 0;
+  }
+  problem.potential.to_global(dq);
+  State seeded;
+  return advance(system, state, dq, seeded) ? seeded : state;
+}
+
+}  // namespace lissom

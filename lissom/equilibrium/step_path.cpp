@@ -1,0 +1,167 @@
+#include "lissom/equilibrium/step_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lissom/core/linear_solver.h"
+#include "lissom/geometry/frame.h"
+
+namespace lissom {
+
+/// Positions that come closest to given edge vectors: min sum (1 / l) |x1 - x0 - e|^2, its matrix factored once.
+struct StepPathPolicy::Fit {
+  explicit Fit(const StaticProblem& problem) {
+    const System& system = *problem.system;
+    std::vector<int> groups, offsets{0};
+    for (const StructureEdge& edge : system.structure.edges) {
+      for (const int node : {edge.node0, edge.node1}) {
+        for (int i = 0; i < 3; ++i) groups.push_back(3 * node + i);
+      }
+      offsets.push_back(static_cast<int>(groups.size()));
+    }
+    positions = 3 * system.layout.nodes();
+    const SparsePattern pattern(positions, groups, offsets);
+    // Held unknowns are along local axes; turn the blocks there.
+    std::vector<Mat3> axes(system.layout.nodes(), Mat3::Identity());
+    for (const LocalAxes& local : problem.potential.local_axes()) {
+      if (local.first_dof < positions) axes[local.first_dof / 3] = local.axes;
+    }
+    std::vector<double> values(pattern.nonzeros(), 0);
+    for (int e = 0; e < system.edge_count(); ++e) {
+      const StructureEdge& edge = system.structure.edges[e];
+      const double w = 1 / system.rest.edges[e].length;
+      weight.push_back(w);
+      const Mat3 mixed = -w * axes[edge.node1].transpose() * axes[edge.node0];
+      for (int i = 0; i < 3; ++i) {
+        values[pattern.diagonal_slot(3 * edge.node0 + i)] += w;
+        values[pattern.diagonal_slot(3 * edge.node1 + i)] += w;
+        for (int j = 0; j < 3; ++j) values[pattern.slot(3 * edge.node1 + i, 3 * edge.node0 + j)] += mixed(i, j);
+      }
+    }
+    kept.assign(positions, -1);
+    for (int i = 0; i < positions; ++i) {
+      if (problem.supports.kept()[i] >= 0) kept[i] = unknowns++;
+    }
+    // A touch of anchoring where supports leave the fit undetermined.
+    for (int i = 0; i < positions; ++i) {
+      values[pattern.diagonal_slot(i)] *= 1 + 1e-9;
+    }
+    solver.emplace(pattern, kept);
+    usable = solver->factorize(values).positive_definite;
+    b.resize(unknowns);
+  }
+
+  int positions = 0, unknowns = 0;
+  std::vector<double> weight;
+  std::vector<int> kept;
+  std::optional<LinearSolver> solver;
+  bool usable = false;
+  VecX b, x, force;
+};
+
+StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path) : workspace_(workspace), path_(path) {
+  if (path == StepPath::kRotating || path == StepPath::kSecondOrderRotating) {
+    fit_ = std::make_unique<Fit>(workspace.problem());
+  }
+}
+
+StepPathPolicy::~StepPathPolicy() = default;
+
+void StepPathPolicy::begin(const State& state, const VecX& d, double reach) {
+  state_ = &state;
+  d_ = d;
+  has_p_ = false;
+  if (path_ == StepPath::kSecondOrder || path_ == StepPath::kSecondOrderRotating) second_order(reach);
+}
+
+void StepPathPolicy::second_order(double reach) {
+  // p = -1/2 H^-1 (g(q + h d) + g(q - h d) - 2 g(q)) / h^2, all of one function anchored at q.
+  const double h = 0.05 * std::min(reach, 1.0);
+  const System& system = workspace_.system();
+  const Potential& potential = workspace_.problem().potential;
+  const auto anchored = [&](double step, VecX& gradient) {
+    increment_ = step * d_;
+    if (!advance(system, *state_, increment_, probe_, workspace_.context().threads)) return false;
+    workspace_.gradient(probe_, gradient);
+    potential.to_global(gradient);
+    to_anchored_gradient(system, *state_, probe_, increment_, gradient);
+    potential.to_local(gradient);
+    return true;
+  };
+  if (!anchored(h, forward_) || !anchored(-h, backward_)) return;
+  forward_ += backward_;
+  forward_ -= 2 * workspace_.local_gradient();
+  forward_ *= -0.5 / (h * h);
+  workspace_.problem().supports.restrict(forward_, free_);
+  workspace_.factor().solve(free_, free_);
+  workspace_.to_increment(free_, p_);
+  if (!p_.allFinite()) return;
+  // A correction, never more than the step itself.
+  const double turn_d = largest_turn(system, *state_, d_), turn_p = reach * largest_turn(system, *state_, p_);
+  if (turn_p > 0.75 * turn_d) p_ *= 0.75 * turn_d / turn_p;
+  has_p_ = true;
+}
+
+bool StepPathPolicy::at(double a, State& trial) {
+  increment_ = a * d_;
+  if (has_p_) increment_ += a * a * p_;
+  if (fit_ != nullptr && fit_->usable) {
+    if (!rotate(a, increment_)) return false;
+  }
+  return advance(workspace_.system(), *state_, increment_, trial, workspace_.context().threads);
+}
+
+bool StepPathPolicy::rotate(double a, VecX& increment) {
+  const System& system = workspace_.system();
+  Fit& fit = *fit_;
+  fit.force = VecX::Zero(increment.size());
+  for (int e = 0; e < system.edge_count(); ++e) {
+    const StructureEdge& edge = system.structure.edges[e];
+    const EdgeState& now = state_->edges[e];
+    const auto edge_of = [&](const VecX& q) -> Vec3 {
+      return q.segment<3>(3 * edge.node1) - q.segment<3>(3 * edge.node0);
+    };
+    const Vec3 linear = edge_of(increment);
+    const Vec3 turn = now.t.cross(linear) / now.length;
+    const double length = now.length + a * now.t.dot(edge_of(d_));
+    if (!(length > 0.1 * now.length)) return false;
+    const Vec3 wanted = length * (rotation_from_vector(turn) * now.t);
+    // Residual of the fit at the straight trial.
+    const Vec3 pull = fit.weight[e] * (wanted - (now.length * now.t + linear));
+    fit.force.segment<3>(3 * edge.node1) += pull;
+    fit.force.segment<3>(3 * edge.node0) -= pull;
+  }
+  const Potential& potential = workspace_.problem().potential;
+  potential.to_local(fit.force);
+  for (int i = 0; i < fit.positions; ++i) {
+    if (fit.kept[i] >= 0) fit.b[fit.kept[i]] = fit.force[i];
+  }
+  fit.solver->solve(fit.b, fit.x);
+  fit.force.setZero();
+  for (int i = 0; i < fit.positions; ++i) {
+    if (fit.kept[i] >= 0) fit.force[i] = fit.x[fit.kept[i]];
+  }
+  potential.to_global(fit.force);
+  increment += fit.force;
+  return true;
+}
+
+void to_anchored_gradient(const System& system, const State& anchor, const State& moved, const VecX& dq,
+                          VecX& gradient) {
+  const DofLayout& layout = system.layout;
+  for (int e = 0; e < system.edge_count(); ++e) {
+    const Vec3 &t0 = anchor.edges[e].t, &t = moved.edges[e].t;
+    const double torque = gradient[layout.roll(e)];
+    const Vec3 change = -torque * t0.cross(t) / ((1 + t0.dot(t)) * moved.edges[e].length);
+    const StructureEdge& edge = system.structure.edges[e];
+    gradient.segment<3>(3 * edge.node1) += change;
+    gradient.segment<3>(3 * edge.node0) -= change;
+  }
+  for (int k = 0; k < layout.rotations(); ++k) {
+    const int r = layout.rotation(layout.joint_of_rotation(k));
+    gradient.segment<3>(r) = (left_jacobian(dq.segment<3>(r)).transpose() * gradient.segment<3>(r)).eval();
+  }
+}
+
+}  // namespace lissom

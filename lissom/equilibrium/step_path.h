@@ -1,0 +1,46 @@
+#pragma once
+/// The path that a trial step follows [convergence 3, 4]. On straight lines edges that turn are stretched, and thin rods
+/// are so stiff in stretch that only tiny steps survive; these paths keep lengths to second order or to all orders.
+
+#include <memory>
+#include <optional>
+
+#include "lissom/equilibrium/newton_workspace.h"
+#include "lissom/equilibrium/options.h"
+
+namespace lissom {
+
+class StepPathPolicy {
+ public:
+  StepPathPolicy(NewtonWorkspace& workspace, StepPath path);
+  ~StepPathPolicy();
+
+  /// Prepares the path of step d (global axes) from `state`; the factor of the workspace is the one that gave d.
+  /// `reach` is the largest fraction that will be tried.
+  void begin(const State& state, const VecX& d, double reach);
+
+  /// State at fraction a; false when it cannot be had.
+  [[nodiscard]] bool at(double a, State& trial);
+
+ private:
+  struct Fit;
+
+  void second_order(double reach);
+  bool rotate(double a, VecX& increment);
+
+  NewtonWorkspace& workspace_;
+  StepPath path_;
+  const State* state_ = nullptr;
+  VecX d_, p_, increment_;
+  bool has_p_ = false;
+  VecX forward_, backward_, free_, moved_gradient_;
+  State probe_;
+  std::unique_ptr<Fit> fit_;
+};
+
+/// Gradient at `moved` of the energy anchored at `anchor`, with `moved` = anchor advanced by dq [mathematics 1.8]: the
+/// gradient that is re-anchored at `moved` plus the holonomy of the frames and the left Jacobian of joint rotations.
+/// Global axes in and out.
+void to_anchored_gradient(const System& system, const State& anchor, const State& moved, const VecX& dq, VecX& gradient);
+
+}  // namespace lissom
