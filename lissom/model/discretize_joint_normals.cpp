@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <deque>
 
 #include "lissom/model/discretize_parts.h"

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lissom/model/discretize_parts.h"
 #include "lissom/model/sampling.h"
