@@ -1,10 +1,9 @@
 #include "lissom/geometry/obj_lines.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 #include <iterator>
 
 namespace lissom {
@@ -95,7 +94,8 @@ class Reader {
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = next_word(line);
       if (word.empty()) {
-        return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("the point has {} coordinates", i), "give three");
+        return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("the point has {} coordinates", i),
+                      "give three");
       }
       if (!read_number(word, p(i))) {
         return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("\"{}\" is not a finite number", shown(word)),
@@ -114,7 +114,8 @@ class Reader {
       long long index = 0;
       const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
       if (error != std::errc() || end != number.data() + number.size() || number.empty()) {
-        return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("\"{}\" is not the number of a point", shown(word)),
+        return refuse(ErrorCode::kSyntax, statement_line_,
+                      fmt::format("\"{}\" is not the number of a point", shown(word)),
                       "lines list points by number: l 1 2");
       }
       if (index < 0) index += static_cast<long long>(lines_.points.size()) + 1;
@@ -129,7 +130,8 @@ class Reader {
       before = index;
     }
     if (count >= 2) return {};
-    return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("the line has {} points", count), "a line has at least two");
+    return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("the line has {} points", count),
+                  "a line has at least two");
   }
 
   Result<ObjLines> finished() {

@@ -12,9 +12,9 @@
 namespace lissom {
 
 struct ObjLines {
-  std::vector<Vec3> points;                 ///< in the unit of the file (n x 3)
-  std::vector<std::array<int, 2>> segments; ///< 0-based point numbers; an `l` with k points gives k - 1 (m x 2)
-  int ignored = 0;                          ///< faces, normals, groups and other statements that are not read
+  std::vector<Vec3> points;                  ///< in the unit of the file (n x 3)
+  std::vector<std::array<int, 2>> segments;  ///< 0-based point numbers; an `l` with k points gives k - 1 (m x 2)
+  int ignored = 0;                           ///< faces, normals, groups and other statements that are not read
 };
 
 /// Reads `v` and `l`; negative indices count back from the last point so far, `l` may name points that follow later,

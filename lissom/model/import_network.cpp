@@ -1,9 +1,8 @@
 #include "lissom/model/import_network.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <set>
 #include <utility>
@@ -18,9 +17,9 @@ constexpr double kMerge = 1e-6;  // of the size
 
 /// The drawing with coinciding points merged and useless lines gone.
 struct CleanLines {
-  std::vector<Vec3> points;                  ///< m
+  std::vector<Vec3> points;  ///< m
   std::vector<std::array<int, 2>> segments;
-  std::vector<std::vector<int>> at_point;    ///< segments by point, ascending
+  std::vector<std::vector<int>> at_point;  ///< segments by point, ascending
 };
 
 Result<CleanLines> cleaned(const ObjLines& lines, double scale, ImportedNetwork& out) {
@@ -28,7 +27,8 @@ Result<CleanLines> cleaned(const ObjLines& lines, double scale, ImportedNetwork&
   std::vector<char> used(lines.points.size(), 0);
   for (const auto& segment : lines.segments) {
     for (const int point : segment) {
-      if (point < 0 || point >= static_cast<int>(used.size()) || !lines.points[static_cast<size_t>(point)].allFinite()) {
+      if (point < 0 || point >= static_cast<int>(used.size()) ||
+          !lines.points[static_cast<size_t>(point)].allFinite()) {
         return Error{ErrorCode::kRange, "network", fmt::format("a line names point {}, which is not there", point + 1),
                      "number the points from 1 and give each three finite coordinates"};
       }
@@ -40,7 +40,8 @@ Result<CleanLines> cleaned(const ObjLines& lines, double scale, ImportedNetwork&
   }
   const double size = (high - low).norm();
   if (!(size > 0) || !std::isfinite(size)) {
-    return Error{ErrorCode::kGeometry, "network", "the lines have no extent", "check the file: all points are at one place"};
+    return Error{ErrorCode::kGeometry, "network", "the lines have no extent",
+                 "check the file: all points are at one place"};
   }
   out.extent = high - low;
   PointGrid grid(kMerge * size, 1e-3 * size, lines.points.size());
@@ -156,7 +157,8 @@ Result<ImportedNetwork> import_network(const ObjLines& lines, const NetworkOptio
                  "name a unit such as mm or m"};
   }
   if (options.edges_per_segment < 1) {
-    return Error{ErrorCode::kRange, "network", fmt::format("{} edges per line", options.edges_per_segment), "give at least 1"};
+    return Error{ErrorCode::kRange, "network", fmt::format("{} edges per line", options.edges_per_segment),
+                 "give at least 1"};
   }
   ImportedNetwork out;
   const Result<CleanLines> clean = cleaned(lines, options.scale, out);

@@ -11,12 +11,12 @@
 namespace lissom {
 
 struct NetworkOptions {
-  double scale = 1;                  ///< m per unit of the file: 0.001 for millimetres
+  double scale = 1;  ///< m per unit of the file: 0.001 for millimetres
   std::string material = "GFRP";
-  SectionProfile section;            ///< of every rod
-  MaterialAxes axes;                 ///< of every rod
+  SectionProfile section;  ///< of every rod
+  MaterialAxes axes;       ///< of every rod
   JointKind joint_kind = JointKind::kExplicit;
-  int edges_per_segment = 4;         ///< of each straight piece of the drawing
+  int edges_per_segment = 4;  ///< of each straight piece of the drawing
   enum class Rods {
     kChains,    ///< pieces that follow each other smoothly through points of two lines are one rod
     kSegments,  ///< every straight piece is a rod

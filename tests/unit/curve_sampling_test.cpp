@@ -1,8 +1,7 @@
 #include "lissom/geometry/curve_sampling.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 

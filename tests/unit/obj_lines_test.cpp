@@ -1,8 +1,7 @@
 #include "lissom/geometry/obj_lines.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 
 #include "lissom/model/import_network.h"
@@ -27,7 +26,8 @@ using Segments = std::vector<std::array<int, 2>>;
 
 TEST(ObjLines, ReadsEveryFormOfLine) {
   const ObjLines a = read(
-      "# drawing\r\nv 0 0 0\r\nv 1 0 +0 1.0\r\nvt 0 0\r\nl 1/1 2/1 3\r\nv 1e0 -2.5e-1 0 # last\r\nl -1 \\\r\n  1\r\nf 1 2 3\r\ng x\r\n");
+      "# drawing\r\nv 0 0 0\r\nv 1 0 +0 1.0\r\nvt 0 0\r\nl 1/1 2/1 3\r\nv 1e0 -2.5e-1 0 # last\r\nl -1 \\\r\n  1\r\nf "
+      "1 2 3\r\ng x\r\n");
   EXPECT_EQ(a.points.size(), 3u);
   EXPECT_EQ(a.points[2], Vec3(1, -0.25, 0));
   EXPECT_EQ(a.segments, (Segments{{0, 1}, {1, 2}, {2, 0}}));
@@ -100,8 +100,9 @@ NetworkOptions lath() {
 
 TEST(ImportNetwork, ChainsRunThroughPointsOfTwoLines) {
   // A ladder rung with bent stiles: points 1-2-3 nearly straight, 3-4 a corner, 2-5 a branch.
-  const ObjLines lines = read("v 0 0 0\nv 1000 0 0\nv 2000 100 0\nv 3000 100 0\nv 3000 2000 0\nv 1000 -900 0\n"
-                              "l 2 3\nl 1 2\nl 3 4\nl 4 5\nl 2 6\n");
+  const ObjLines lines = read(
+      "v 0 0 0\nv 1000 0 0\nv 2000 100 0\nv 3000 100 0\nv 3000 2000 0\nv 1000 -900 0\n"
+      "l 2 3\nl 1 2\nl 3 4\nl 4 5\nl 2 6\n");
   NetworkOptions options = lath();
   options.scale = 1e-3;
   const ImportedNetwork network = import_network(lines, options).value();
@@ -122,7 +123,9 @@ TEST(ImportNetwork, ChainsRunThroughPointsOfTwoLines) {
 
 TEST(ImportNetwork, RingsCloseAndUselessLinesAreSaid) {
   std::string text;
-  for (int i = 0; i < 24; ++i) text += "v " + std::to_string(std::cos(i * 0.2617993877991494)) + " " + std::to_string(std::sin(i * 0.2617993877991494)) + " 0\n";
+  for (int i = 0; i < 24; ++i)
+    text += "v " + std::to_string(std::cos(i * 0.2617993877991494)) + " " +
+            std::to_string(std::sin(i * 0.2617993877991494)) + " 0\n";
   text += "v 1 0 0\nv 5 5 5\n";  // repeats point 1; isolated
   for (int i = 0; i < 23; ++i) text += "l " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
   text += "l 24 25\nl 25 1\nl 2 1\nf 1 2 3\n";

@@ -1,11 +1,10 @@
-#include <gtest/gtest.h>
+#include "lissom/model/section.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 #include <set>
-
-#include "lissom/model/section.h"
 
 namespace lissom {
 namespace {
@@ -42,8 +41,8 @@ TEST(Section, SquareAndStripHaveTheirKnownTorsion) {
   EXPECT_NEAR(k.twist / (wide * std::pow(thick, 3) / 3), 1 - 0.630249 * thick / wide, 1e-6);
   EXPECT_NEAR(k.bend_n / 2 / (wide * std::pow(thick, 3) / 12), 1, 1e-12);
   EXPECT_NEAR(k.bend_b / 2 / (thick * std::pow(wide, 3) / 12), 1, 1e-12);
-  const SectionStiffness turned = section_stiffness({SectionShape::kRectangle, wide / 2, thick / 2, 0}, kUnit,
-                                                    TorsionModel::kSaintVenant);
+  const SectionStiffness turned =
+      section_stiffness({SectionShape::kRectangle, wide / 2, thick / 2, 0}, kUnit, TorsionModel::kSaintVenant);
   EXPECT_EQ(turned.twist, k.twist);
   EXPECT_NEAR(section_stiffness({SectionShape::kRectangle, 1, 2, 0}, kUnit, TorsionModel::kSaintVenant).twist / (4 * 8),
               0.228682, 1e-6);  // sides 4 and 2
@@ -92,9 +91,9 @@ TEST(Material, LibraryIsPossibleNamedOnceAndSourced) {
 
 TEST(Material, ImpossibleOnesAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Material bad[] = {{"", 0, 0.3, 1, 1, ""},  {"", -1, 0.3, 1, 1, ""}, {"", nan, 0.3, 1, 1, ""}, {"", 1, 0.51, 1, 1, ""},
-                          {"", 1, -1, 1, 1, ""},   {"", 1, nan, 1, 1, ""},  {"", 1, 0.3, -1, 1, ""},  {"", 1, 0.3, nan, 1, ""},
-                          {"", 1, 0.3, 1, 0, ""}};
+  const Material bad[] = {{"", 0, 0.3, 1, 1, ""},  {"", -1, 0.3, 1, 1, ""},  {"", nan, 0.3, 1, 1, ""},
+                          {"", 1, 0.51, 1, 1, ""}, {"", 1, -1, 1, 1, ""},    {"", 1, nan, 1, 1, ""},
+                          {"", 1, 0.3, -1, 1, ""}, {"", 1, 0.3, nan, 1, ""}, {"", 1, 0.3, 1, 0, ""}};
   for (const Material& m : bad) EXPECT_FALSE(m.validate("m").ok());
   EXPECT_TRUE((Material{"", 1, 0.5, 0, 1, ""}.validate("m").ok()));  // incompressible and weightless are possible
 }

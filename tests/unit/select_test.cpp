@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "lissom/model/structure.h"
@@ -124,7 +123,8 @@ TEST(Select, PointsBoxesJointsUnionsAndSets) {
   corner.nodes.point = Vec3(0, 0.1, 0);
   both.name = "both";
   both.nodes.kind = Selector::Kind::kUnion;
-  both.nodes.parts = {of(Selector::Kind::kSet, "corner"), of(Selector::Kind::kSet, "corner"), of(Selector::Kind::kRod, "x00", 1)};
+  both.nodes.parts = {of(Selector::Kind::kSet, "corner"), of(Selector::Kind::kSet, "corner"),
+                      of(Selector::Kind::kRod, "x00", 1)};
   loop.name = "loop";
   loop.nodes = of(Selector::Kind::kSet, "loop");
   model.sets = {corner, both, loop};
