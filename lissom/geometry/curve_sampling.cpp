@@ -1,9 +1,8 @@
 #include "lissom/geometry/curve_sampling.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <queue>
 #include <utility>
@@ -37,9 +36,9 @@ Status check_points(std::span<const Vec3> points, bool closed, const std::string
   for (size_t i = 0; i < pieces; ++i) {
     const size_t next = (i + 1) % points.size();
     if ((points[next] - points[i]).norm() > least) continue;
-    return bad_geometry(where, fmt::format("points {} and {} are at the same place", i, next),
-                        next == 0 ? "a closed curve does not repeat its first point: remove the last one"
-                                  : "remove one of them");
+    return bad_geometry(
+        where, fmt::format("points {} and {} are at the same place", i, next),
+        next == 0 ? "a closed curve does not repeat its first point: remove the last one" : "remove one of them");
   }
   return {};
 }
@@ -164,7 +163,8 @@ Result<CurveMeasure> measure_spline(std::span<const Vec3> points, bool closed, c
     double turning = 0;
     for (int k = 0; k < kParts; ++k) {
       const double middle = (k + 0.5) / kParts, offset = kGauss / kParts;
-      m.length += (curve.slope(piece, middle - offset).norm() + curve.slope(piece, middle + offset).norm()) / (2 * kParts);
+      m.length +=
+          (curve.slope(piece, middle - offset).norm() + curve.slope(piece, middle + offset).norm()) / (2 * kParts);
       const Vec3 t0 = curve.tangent(piece, k / double{kParts}), t1 = curve.tangent(piece, (k + 1) / double{kParts});
       turning += std::atan2(t0.cross(t1).norm(), t0.dot(t1));
     }

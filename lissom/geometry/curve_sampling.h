@@ -29,8 +29,8 @@ struct CurveMeasure {
 /// A circular arc (rise 0) or helix: `start` turned about the axis by `angle` while rising by `rise` along it.
 struct TurnedPoint {
   Vec3 centre = Vec3::Zero(), start = Vec3::Zero(), axis = Vec3::UnitZ();  ///< m, m, any length
-  double angle = 0;  ///< rad
-  double rise = 0;   ///< m in all
+  double angle = 0;                                                        ///< rad
+  double rise = 0;                                                         ///< m in all
   bool closed = false;
 };
 

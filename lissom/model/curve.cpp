@@ -1,9 +1,8 @@
 #include "lissom/model/curve.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "lissom/model/sampling.h"
@@ -16,12 +15,11 @@ constexpr int kDefaultEdges = 10;
 constexpr double kDefaultTurning = std::numbers::pi / 18;  // rad per edge
 constexpr double kMostEdges = 1e7;                         // of one rod: beyond this the input is a slip
 
-TurnedPoint turned(const Arc& arc) {
-  return {arc.centre, arc.start, arc.axis, arc.angle, 0, arc.closed};
-}
+TurnedPoint turned(const Arc& arc) { return {arc.centre, arc.start, arc.axis, arc.angle, 0, arc.closed}; }
 
 TurnedPoint turned(const Helix& helix) {
-  return {helix.centre, helix.start, helix.axis, 2 * std::numbers::pi * helix.turns, helix.pitch * std::abs(helix.turns)};
+  return {helix.centre, helix.start, helix.axis, 2 * std::numbers::pi * helix.turns,
+          helix.pitch * std::abs(helix.turns)};
 }
 
 struct Measure {
@@ -55,9 +53,7 @@ bool is_closed(const Curve& curve) {
   return false;
 }
 
-Result<CurveMeasure> measure(const Curve& curve, const std::string& where) {
-  return std::visit(Measure{where}, curve);
-}
+Result<CurveMeasure> measure(const Curve& curve, const std::string& where) { return std::visit(Measure{where}, curve); }
 
 Result<CurveSamples> sample(const Curve& curve, int edges, const std::string& where) {
   return std::visit(Sample{edges, where}, curve);
@@ -74,7 +70,8 @@ Result<int> edge_count(const Rod& rod, double refine, const std::string& where) 
   if (!(refine > 0)) {
     return Error{ErrorCode::kRange, where, fmt::format("the refinement is {:g}", refine), "give a number above zero"};
   }
-  double edges = std::max<double>({kDefaultEdges, double(m.minimum_edges), std::ceil(m.turning / kDefaultTurning - 1e-9)});
+  double edges =
+      std::max<double>({kDefaultEdges, double(m.minimum_edges), std::ceil(m.turning / kDefaultTurning - 1e-9)});
   if (rod.edges > 0) {
     edges = rod.edges;
     if (rod.edges < m.minimum_edges) {

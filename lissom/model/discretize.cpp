@@ -1,9 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
 #include <numeric>
 
+#include "lissom/core/nearest_name.h"
 #include "lissom/geometry/point_grid.h"
 #include "lissom/model/discretize_parts.h"
 #include "lissom/model/sampling.h"
@@ -43,8 +44,8 @@ Status measure_edges(RodShape& shape, const std::string& where, const std::strin
 namespace {
 
 constexpr double kDefaultMerge = 1e-6;  // of the size of the structure
-constexpr size_t kShownRemarks = 8;    // of one kind
-constexpr double kMostNodes = 2e7;     // in all: beyond this the input is a slip
+constexpr size_t kShownRemarks = 8;     // of one kind
+constexpr double kMostNodes = 2e7;      // in all: beyond this the input is a slip
 
 Section section_at(const SectionProfile& profile, double place, bool closed) {
   const auto value = [&](const std::vector<double>& controls) {
@@ -61,16 +62,19 @@ Section section_at(const SectionProfile& profile, double place, bool closed) {
 Status check_rod(const Model& model, size_t r) {
   const Rod& rod = model.rods[r];
   if (!model.material(rod.material)) {
+    std::vector<std::string> names;
+    for (const Material& own : model.materials) names.push_back(own.name);
+    for (const Material& known : material_library()) names.push_back(known.name);
     return Error{ErrorCode::kUnknown, rod_place(r) + "/material",
                  fmt::format("{} is of a material \"{}\" that is not known", rod_label(model, r), rod.material),
-                 "name one of the library (see `lissom materials`) or describe it under `materials`"};
+                 suggestion(rod.material, names)};
   }
   const SectionProfile& profile = rod.section;
   if (profile.r_n.empty() || profile.r_n.size() != profile.r_b.size()) {
-    return Error{ErrorCode::kType, rod_place(r) + "/section",
-                 fmt::format("the section has {} half-extents along n and {} along b", profile.r_n.size(),
-                             profile.r_b.size()),
-                 "give the same number of both, at least one"};
+    return Error{
+        ErrorCode::kType, rod_place(r) + "/section",
+        fmt::format("the section has {} half-extents along n and {} along b", profile.r_n.size(), profile.r_b.size()),
+        "give the same number of both, at least one"};
   }
   for (size_t i = 0; i < profile.r_n.size(); ++i) {
     const Section section{profile.shape, profile.r_n[i], profile.r_b[i], profile.wall};

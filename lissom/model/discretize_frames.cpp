@@ -1,7 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "lissom/model/discretize_parts.h"
@@ -106,7 +105,8 @@ void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, co
     }
     case MaterialAxes::Kind::kTransport:
       if (parallel(shape.edge_tangents[0], axes.normal)) {
-        notes.push_back(fmt::format("{}: the normal is parallel to the first edge, a coordinate axis is used instead", label));
+        notes.push_back(
+            fmt::format("{}: the normal is parallel to the first edge, a coordinate axis is used instead", label));
       }
       frames_by_transport(shape, axes.normal);
       return;
@@ -119,7 +119,8 @@ void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, co
       return;
   }
   for (int i = 1; i < n; ++i) {
-    const double twist = pair_strain(shape.frames[static_cast<size_t>(i - 1)], shape.frames[static_cast<size_t>(i)]).twist;
+    const double twist =
+        pair_strain(shape.frames[static_cast<size_t>(i - 1)], shape.frames[static_cast<size_t>(i)]).twist;
     if (std::abs(twist) <= kFlip) continue;
     notes.push_back(fmt::format(
         "{}: the drawn normal turns by {:.0f} degrees between edges {} and {}; carry it along without twist (axes "

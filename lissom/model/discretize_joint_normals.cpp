@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <deque>
 
 #include "lissom/model/discretize_parts.h"
@@ -136,8 +137,8 @@ void set_joint_normals(Draft& draft) {
       if (done[n] || graph.links[n].empty() || decided[n] != want_decided) continue;
       const auto rod = static_cast<size_t>(graph.links[n].front().rod);
       const Vec3& wish = draft.model.rods[rod].axes.normal;
-      normals[n] = want_decided ? oriented(normals[n], wish)
-                                : frame_from_normal(draft.drawn[rod].edge_tangents[0], wish).n;
+      normals[n] =
+          want_decided ? oriented(normals[n], wish) : frame_from_normal(draft.drawn[rod].edge_tangents[0], wish).n;
       propagate(draft, graph, n, decided, normals, done);
     }
   }

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "lissom/model/discretize_parts.h"
 
@@ -10,9 +9,9 @@ namespace {
 
 /// What is to be built at a node.
 struct NodePlan {
-  bool meets = false;     ///< rods meet here
+  bool meets = false;  ///< rods meet here
   JointKind kind = JointKind::kBall;
-  bool frame = false;     ///< a pose needs a frame here
+  bool frame = false;  ///< a pose needs a frame here
 };
 
 Status apply_choices(const Draft& draft, std::vector<NodePlan>& plans) {
@@ -38,10 +37,13 @@ Status apply_choices(const Draft& draft, std::vector<NodePlan>& plans) {
 bool needs_frame(const Support& support) {
   switch (support.kind) {
     case SupportKind::kClamp:
-    case SupportKind::kSymmetry: return true;
-    case SupportKind::kFree: return !support.rotations.empty() || support.turn_angle != 0;
+    case SupportKind::kSymmetry:
+      return true;
+    case SupportKind::kFree:
+      return !support.rotations.empty() || support.turn_angle != 0;
     case SupportKind::kPin:
-    case SupportKind::kClampEdge: return false;
+    case SupportKind::kClampEdge:
+      return false;
   }
   return false;
 }
@@ -82,13 +84,15 @@ std::vector<int> make_joints(Draft& draft, const std::vector<NodePlan>& plans) {
   }
   if (turned_explicit > 0) {
     s.notes.push_back(fmt::format(
-        "{} corotational joints are explicit ones here, because a pose holds, turns or loads their rotation", turned_explicit));
+        "{} corotational joints are explicit ones here, because a pose holds, turns or loads their rotation",
+        turned_explicit));
   }
   if (held_balls > 0) {
-    s.notes.push_back(fmt::format(
-        "{} ball points are rigid joints here, because a pose holds, turns or loads a rotation there: exact while it is "
-        "clamped, too stiff in a pose that leaves it free",
-        held_balls));
+    s.notes.push_back(
+        fmt::format("{} ball points are rigid joints here, because a pose holds, turns or loads a rotation there: "
+                    "exact while it is "
+                    "clamped, too stiff in a pose that leaves it free",
+                    held_balls));
   }
   return joint_at;
 }

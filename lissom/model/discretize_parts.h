@@ -35,9 +35,9 @@ struct RodShape {
 struct Draft {
   const Model& model;
   Structure structure;
-  std::vector<RodShape> drawn;    ///< by rod, on the merged nodes
-  std::vector<RodShape> rest;     ///< by rod; empty unless the rest shape is a curve of its own
-  std::vector<int> passages;      ///< by node: how many rod ends and through-going rods meet there
+  std::vector<RodShape> drawn;      ///< by rod, on the merged nodes
+  std::vector<RodShape> rest;       ///< by rod; empty unless the rest shape is a curve of its own
+  std::vector<int> passages;        ///< by node: how many rod ends and through-going rods meet there
   std::vector<Vec3> joint_normals;  ///< by node, zero where no rod with axes from joints ends
 };
 

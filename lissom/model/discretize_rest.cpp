@@ -1,6 +1,7 @@
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <numbers>
 
 #include "lissom/model/discretize_parts.h"
 #include "lissom/model/sampling.h"
@@ -22,7 +23,8 @@ Status check_natural(const Natural& natural, double longest, const std::string& 
     return Error{ErrorCode::kRange, where, "the natural curvature or twist is not finite", "give finite numbers"};
   }
   const double most = std::numbers::pi / 2;
-  if (std::hypot(natural.curvature_b, natural.curvature_n) * longest > most || std::abs(natural.twist) * longest > most) {
+  if (std::hypot(natural.curvature_b, natural.curvature_n) * longest > most ||
+      std::abs(natural.twist) * longest > most) {
     return Error{ErrorCode::kGeometry, where, "the natural curvature or twist turns by more than 90 degrees per edge",
                  "use shorter edges"};
   }
@@ -84,7 +86,8 @@ Status set_rest_shapes(Draft& draft) {
         edge.rest = edge.drawn;
       } else {
         const double between = (drawn.lengths[i - 1] + drawn.lengths[i]) / 2;
-        edge.rest = advanced(s.edges[static_cast<size_t>(s.rods[r].edges[i - 1])].rest, natural_strain(natural, between));
+        edge.rest =
+            advanced(s.edges[static_cast<size_t>(s.rods[r].edges[i - 1])].rest, natural_strain(natural, between));
       }
     }
   }
@@ -95,10 +98,13 @@ PairStrain rest_strain(const Draft& draft, int rod, int edge, int next) {
   const auto r = static_cast<size_t>(rod), i = static_cast<size_t>(edge), j = static_cast<size_t>(next);
   const Natural& natural = draft.model.rods[r].natural;
   switch (natural.kind) {
-    case Natural::Kind::kAsDrawn: return pair_strain(draft.drawn[r].frames[i], draft.drawn[r].frames[j]);
-    case Natural::Kind::kCurve: return pair_strain(draft.rest[r].frames[i], draft.rest[r].frames[j]);
+    case Natural::Kind::kAsDrawn:
+      return pair_strain(draft.drawn[r].frames[i], draft.drawn[r].frames[j]);
+    case Natural::Kind::kCurve:
+      return pair_strain(draft.rest[r].frames[i], draft.rest[r].frames[j]);
     case Natural::Kind::kStraight:
-    case Natural::Kind::kCurved: break;
+    case Natural::Kind::kCurved:
+      break;
   }
   return natural_strain(natural, (draft.drawn[r].lengths[i] + draft.drawn[r].lengths[j]) / 2);
 }

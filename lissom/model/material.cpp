@@ -1,8 +1,7 @@
 #include "lissom/model/material.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 #include <vector>
 
 namespace lissom {
@@ -23,7 +22,8 @@ std::vector<Material> make_library() {
       {"POM", 2.8e9, 0.37, 1410, 0.025, "plastics handbooks, copolymer"},
       {"polycarbonate", 2.35e9, 0.37, 1200, 0.025, "plastics handbooks"},
       {"silicone", 2e6, 0.49, 1150, 0.5, "typical data sheets, about Shore 50A, small-strain modulus"},
-      {"spring steel", 206e9, 0.29, 7850, 0.006, "handbook values of hardened carbon and chromium-vanadium spring steel"},
+      {"spring steel", 206e9, 0.29, 7850, 0.006,
+       "handbook values of hardened carbon and chromium-vanadium spring steel"},
       {"stainless steel", 193e9, 0.30, 7900, 0.005, "handbook values of 1.4310 (302) spring wire; lower if annealed"},
       {"mild steel", 210e9, 0.30, 7850, 0.0011, "handbook values of structural steel S235"},
       {"aluminium 6060", 69.5e9, 0.33, 2700, 0.002, "handbook values, temper T66"},
@@ -45,7 +45,8 @@ Error refuse(const std::string& where, std::string message, std::string hint) {
 
 Status Material::validate(const std::string& where) const {
   if (!(youngs_modulus > 0) || !std::isfinite(youngs_modulus)) {
-    return refuse(where, fmt::format("the Young's modulus is {:g} Pa", youngs_modulus), "give a positive finite modulus");
+    return refuse(where, fmt::format("the Young's modulus is {:g} Pa", youngs_modulus),
+                  "give a positive finite modulus");
   }
   if (!(poisson_ratio > -1 && poisson_ratio <= 0.5)) {
     return refuse(where, fmt::format("the Poisson ratio is {:g}", poisson_ratio),
@@ -55,7 +56,8 @@ Status Material::validate(const std::string& where) const {
     return refuse(where, fmt::format("the density is {:g} kg/m^3", density), "give zero or a positive finite density");
   }
   if (!(strain_limit > 0)) {
-    return refuse(where, fmt::format("the strain limit is {:g}", strain_limit), "give a positive strain or leave it out");
+    return refuse(where, fmt::format("the strain limit is {:g}", strain_limit),
+                  "give a positive strain or leave it out");
   }
   return {};
 }

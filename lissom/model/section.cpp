@@ -1,9 +1,8 @@
 #include "lissom/model/section.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace lissom {

@@ -1,7 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 
 #include "lissom/core/nearest_name.h"
@@ -14,6 +13,11 @@ namespace {
 
 using Nodes = std::vector<int>;
 
+void sort_unique(Nodes& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
 class Selection {
  public:
   Selection(const Model& model, const Structure& structure, const std::string& where)
@@ -21,20 +25,27 @@ class Selection {
 
   Result<Nodes> resolve(const Selector& selector, int depth) {
     switch (selector.kind) {
-      case Selector::Kind::kSet: return named_set(selector, depth);
-      case Selector::Kind::kAll: return where_true([](size_t) { return true; });
-      case Selector::Kind::kRod: return rod(selector);
-      case Selector::Kind::kPoint: return point(selector);
-      case Selector::Kind::kBox: return where_true([&](size_t i) {
-        const Vec3& p = structure_.nodes[i];
-        return (p.array() >= selector.low.array()).all() && (p.array() <= selector.high.array()).all();
-      });
+      case Selector::Kind::kSet:
+        return named_set(selector, depth);
+      case Selector::Kind::kAll:
+        return where_true([](size_t) { return true; });
+      case Selector::Kind::kRod:
+        return rod(selector);
+      case Selector::Kind::kPoint:
+        return point(selector);
+      case Selector::Kind::kBox:
+        return where_true([&](size_t i) {
+          const Vec3& p = structure_.nodes[i];
+          return (p.array() >= selector.low.array()).all() && (p.array() <= selector.high.array()).all();
+        });
       case Selector::Kind::kJoints: {
         const std::vector<int> passages = count_passages(structure_);
         return where_true([&](size_t i) { return passages[i] > 1; });
       }
-      case Selector::Kind::kBoundary: return boundary_nodes(structure_);
-      case Selector::Kind::kUnion: return parts(selector, depth);
+      case Selector::Kind::kBoundary:
+        return boundary_nodes(structure_);
+      case Selector::Kind::kUnion:
+        return parts(selector, depth);
     }
     return Nodes{};
   }
@@ -74,6 +85,7 @@ class Selection {
       if (!nodes) return nodes.error();
       all.insert(all.end(), nodes.value().begin(), nodes.value().end());
     }
+    sort_unique(all);  // here, not only at the end: unions of unions would double each time
     return all;
   }
 
@@ -117,10 +129,12 @@ class Selection {
     const double tolerance = selector.tolerance > 0 ? selector.tolerance : structure_.mean_edge_length / 2;
     if (best >= 0 && distance <= tolerance) return Nodes{best};
     const Vec3 p = best >= 0 ? structure_.nodes[static_cast<size_t>(best)] : Vec3::Zero();
-    return Error{ErrorCode::kGeometry, where_,
-                 fmt::format("no node lies within {:g} m of ({:g}, {:g}, {:g}); the nearest, at ({:g}, {:g}, {:g}), is {:g} m away",
-                             tolerance, selector.point.x(), selector.point.y(), selector.point.z(), p.x(), p.y(), p.z(), distance),
-                 "correct the point (are its units right?) or give a larger `tolerance`"};
+    return Error{
+        ErrorCode::kGeometry, where_,
+        fmt::format(
+            "no node lies within {:g} m of ({:g}, {:g}, {:g}); the nearest, at ({:g}, {:g}, {:g}), is {:g} m away",
+            tolerance, selector.point.x(), selector.point.y(), selector.point.z(), p.x(), p.y(), p.z(), distance),
+        "correct the point (are its units right?) or give a larger `tolerance`"};
   }
 
   const Model& model_;
@@ -136,8 +150,7 @@ Result<std::vector<int>> select(const Model& model, const Structure& structure, 
   Result<Nodes> found = Selection(model, structure, where).resolve(selector, 0);
   if (!found) return found;
   Nodes nodes = std::move(found).value();
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   if (nodes.empty()) {
     return Error{ErrorCode::kGeometry, where, "the selection holds no node",
                  "check the limits of boxes (units, sign) and that the parts named exist"};

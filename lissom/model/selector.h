@@ -16,8 +16,8 @@ struct Selector {
     kRod,       ///< nodes of rod `name`: all of them, or the one at `fraction` of its length when fraction >= 0
     kPoint,     ///< the node nearest to `point`; must lie within `tolerance`
     kBox,       ///< nodes with low <= x <= high
-    kJoints,    ///< every node shared by two or more rod ends
-    kBoundary,  ///< nodes on the outer loop of a line network (see docs/guide), or free ends where there is none
+    kJoints,    ///< every node where rods meet: ends of two or more, or an end on or a crossing with a rod that passes
+    kBoundary,  ///< outer loop of a line network: its nodes where rods meet or end, all of them on a ring, else free ends
     kUnion,     ///< all of `parts`
   };
   Kind kind = Kind::kAll;

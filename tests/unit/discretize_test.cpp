@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "lissom/model/discretize_parts.h"
@@ -26,9 +25,7 @@ Rod straight(const std::string& name, const Vec3& a, const Vec3& b, int edges) {
   return make_rod(name, Polyline{{a, b}, false}, edges);
 }
 
-Arc circle(double radius, bool closed) {
-  return {Vec3::Zero(), Vec3(radius, 0, 0), Vec3::UnitZ(), 2 * kPi, closed};
-}
+Arc circle(double radius, bool closed) { return {Vec3::Zero(), Vec3(radius, 0, 0), Vec3::UnitZ(), 2 * kPi, closed}; }
 
 Selector at_fraction(const std::string& rod, double fraction) {
   Selector s;
@@ -126,7 +123,8 @@ TEST(Discretize, StraightRodClosedToACircleIsHeldInTheTangentOfTheCircle) {
     EXPECT_LT((j.connections[0].rest.n - Vec3::UnitZ()).norm(), 1e-12);
   }
   EXPECT_EQ(s.pairs.size(), 99u);
-  for (const StructurePair& p : s.pairs) EXPECT_EQ(std::abs(p.rest_kappa_1) + std::abs(p.rest_kappa_2) + std::abs(p.rest_twist), 0);
+  for (const StructurePair& p : s.pairs)
+    EXPECT_EQ(std::abs(p.rest_kappa_1) + std::abs(p.rest_kappa_2) + std::abs(p.rest_twist), 0);
 
   model.merge_distance = 0;  // then the ends are one point, joined to itself
   const Structure joined = built(model);
@@ -273,7 +271,8 @@ TEST(Discretize, HexagonSheetHasTheCountsOfTheTable) {
 TEST(Discretize, SplitRodHasTheSameNodesAndFrames) {
   Model one, two;
   one.rods = {straight("whole", Vec3::Zero(), Vec3(0.2, 0, 0), 20)};
-  two.rods = {straight("left", Vec3::Zero(), Vec3(0.1, 0, 0), 10), straight("right", Vec3(0.1, 0, 0), Vec3(0.2, 0, 0), 10)};
+  two.rods = {straight("left", Vec3::Zero(), Vec3(0.1, 0, 0), 10),
+              straight("right", Vec3(0.1, 0, 0), Vec3(0.2, 0, 0), 10)};
   const Structure s = built(one), t = built(two);
   ASSERT_EQ(s.nodes.size(), t.nodes.size());
   for (size_t i = 0; i < s.nodes.size(); ++i) EXPECT_LT((s.nodes[i] - t.nodes[i]).norm(), 1e-16);
@@ -284,7 +283,8 @@ TEST(Discretize, SplitRodHasTheSameNodesAndFrames) {
 
 TEST(Discretize, JointKindsAndThroughGoingRods) {
   Model model;
-  model.rods = {straight("along", Vec3(-1, 0, 0), Vec3(1, 0, 0), 10), straight("across", Vec3::Zero(), Vec3(0, 1, 0), 5)};
+  model.rods = {straight("along", Vec3(-1, 0, 0), Vec3(1, 0, 0), 10),
+                straight("across", Vec3::Zero(), Vec3(0, 1, 0), 5)};
   Structure s = built(model);
   ASSERT_EQ(s.joints.size(), 1u);
   EXPECT_EQ(s.joints[0].connections.size(), 3u);
@@ -377,7 +377,8 @@ TEST(Discretize, AxesPerPointTwistAClampedStraightRodInFull) {
   model.poses = {pose};
   const Structure s = built(model);
   ASSERT_EQ(s.joints.size(), 2u);
-  EXPECT_NEAR(signed_angle(Vec3::UnitX(), s.joints[0].connections[0].rest.n, s.joints[1].connections[0].rest.n), kPi / 2, 1e-5);
+  EXPECT_NEAR(signed_angle(Vec3::UnitX(), s.joints[0].connections[0].rest.n, s.joints[1].connections[0].rest.n),
+              kPi / 2, 1e-5);
 }
 
 TEST(Discretize, SectionsAreLinearBetweenControls) {
