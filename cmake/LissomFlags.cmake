@@ -32,7 +32,8 @@ function(lissom_flags target)
   endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>  # GCC 12 misreads Eigen's vector loads of Vector3d
+    # GCC 12 misreads vector loads of Vector3d and stores to single lanes.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
     $<$<BOOL:${LISSOM_WERROR}>:-Werror>
     -ffp-contract=off)
   if(LISSOM_ARCH)
