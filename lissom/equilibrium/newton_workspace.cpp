@@ -41,8 +41,12 @@ void NewtonWorkspace::gradient(const State& state, VecX& local) {
 }
 
 FactorReport NewtonWorkspace::factorize(double shift) {
+  return factorize_with(shift, std::span<const double>(metric_.data(), metric_.size()));
+}
+
+FactorReport NewtonWorkspace::factorize_with(double shift, std::span<const double> diagonal) {
   ++factorizations_;
-  return factor_.factorize(hessian_, shift, std::span<const double>(metric_.data(), metric_.size()));
+  return factor_.factorize(hessian_, shift, diagonal);
 }
 
 void NewtonWorkspace::multiply_free(const VecX& x, VecX& y) {

@@ -33,6 +33,8 @@ class NewtonWorkspace {
 
   /// Factorises the last Hessian + shift * metric.
   FactorReport factorize(double shift);
+  /// The same with another diagonal, one entry per free unknown.
+  FactorReport factorize_with(double shift, std::span<const double> diagonal);
 
   /// y = H x for free unknowns.
   void multiply_free(const VecX& x, VecX& y);

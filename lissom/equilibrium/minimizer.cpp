@@ -1,0 +1,250 @@
+#include "lissom/equilibrium/minimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lissom/equilibrium/frame_relaxation.h"
+#include "lissom/equilibrium/shift.h"
+#include "lissom/equilibrium/step_path.h"
+
+namespace lissom {
+
+namespace {
+
+/// Largest change of a roll or of a component of a joint rotation, rad.
+double largest_roll(const System& system, const VecX& dq) {
+  const int first = 3 * system.layout.nodes();
+  return first < dq.size() ? dq.tail(dq.size() - first).cwiseAbs().maxCoeff() : 0;
+}
+
+/// Fraction of a step at which the first limit is met, at most `most`.
+double reach_of(const System& system, const State& state, const VecX& d, const SolveOptions& options, double most) {
+  double reach = most;
+  const double turn = largest_turn(system, state, d), roll = largest_roll(system, d);
+  if (turn * reach > options.max_turn) reach = options.max_turn / turn;
+  if (roll * reach > options.max_roll) reach = options.max_roll / roll;
+  return reach;
+}
+
+constexpr double kArmijo = 1e-4;
+constexpr double kEnergyNoise = 1e-13;  // of the energy: differences below it are rounding
+constexpr double kSmallestStep = 1e-7;
+constexpr double kRunawaySizes = 1e4;
+
+class Minimization {
+ public:
+  Minimization(NewtonWorkspace& workspace, State& state, const SolveOptions& options)
+      : workspace_(workspace), options_(options), path_(workspace, options.path), shift_(options.shift), state_(state) {
+    if (options.frames == FrameRelaxation::kOn) relaxation_.emplace(workspace);
+  }
+
+  Descent run(double tolerance, int max_iterations, std::vector<IterationRecord>& records);
+
+ private:
+  double try_at(double a);
+  bool line_search(double slope, double curvature, double reach);
+  void expand(double slope, double turn, double roll);
+
+  NewtonWorkspace& workspace_;
+  const SolveOptions& options_;
+  StepPathPolicy path_;
+  ShiftPolicy shift_;
+  std::optional<FrameRelaxation> relaxation_;
+  State& state_;
+  State trial_, best_;
+  VecX free_, step_, image_;
+  double energy_ = 0, trial_energy_ = 0, taken_ = 0;
+  bool first_trial_ = false;
+};
+
+double Minimization::try_at(double a) {
+  if (!path_.at(a, trial_)) return INFINITY;
+  if (relaxation_) relaxation_->relax(trial_, 2);
+  const double v = workspace_.energy(trial_);
+  return std::isfinite(v) ? v : INFINITY;
+}
+
+bool Minimization::line_search(double slope, double curvature, double reach) {
+  double a = reach;
+  first_trial_ = true;
+  while (a > kSmallestStep) {
+    trial_energy_ = try_at(a);
+    const double bound = energy_ + kArmijo * a * (slope + std::min(0.0, 0.5 * a * curvature)) +
+                         kEnergyNoise * std::abs(energy_);
+    if (trial_energy_ <= bound) {
+      taken_ = a;
+      return true;
+    }
+    first_trial_ = false;
+    if (std::isinf(trial_energy_)) {
+      a *= 0.3;
+      continue;
+    }
+    const double parabola = -slope * a * a / (2 * (trial_energy_ - energy_ - slope * a));
+    a = std::isfinite(parabola) ? std::clamp(parabola, 0.4 * a, 0.65 * a) : 0.4 * a;
+  }
+  return false;
+}
+
+void Minimization::expand(double slope, double turn, double roll) {
+  for (int k = 0; k < 6; ++k) {
+    double next = 2 * taken_;
+    const double excess = trial_energy_ - energy_ - slope * taken_;
+    if (excess > 0) next = std::min(3 * taken_, -slope * taken_ * taken_ / (2 * excess));
+    if (turn > 0) next = std::min(next, options_.max_turn / turn);
+    if (roll > 0) next = std::min(next, 3 * options_.max_roll / roll);
+    if (next < 1.25 * taken_) return;
+    std::swap(trial_, best_);
+    const double reached = trial_energy_, v = try_at(next);
+    if (!(v < reached)) {
+      std::swap(trial_, best_);
+      trial_energy_ = reached;
+      return;
+    }
+    taken_ = next;
+    trial_energy_ = v;
+  }
+}
+
+Descent Minimization::run(double tolerance, int max_iterations, std::vector<IterationRecord>& records) {
+  Descent result;
+  energy_ = workspace_.energy(state_);
+  if (!std::isfinite(energy_)) return result;
+  int without_progress = 0;
+  double last_residual = INFINITY, least_residual = INFINITY;
+  for (;; ++result.iterations) {
+    workspace_.assemble(state_);
+    result.residual = workspace_.residual();
+    if (!std::isfinite(result.residual)) return result;
+    if (result.residual <= tolerance) {
+      result.verdict = Verdict::kStable;
+      return result;
+    }
+    // Forces that are rounding of much larger ones cannot be lowered further.
+    if (result.residual <= 10 * workspace_.problem().scales.rounding && result.residual >= 0.5 * last_residual) {
+      result.verdict = Verdict::kStable;
+      return result;
+    }
+    if (result.iterations >= max_iterations) {
+      result.verdict = Verdict::kIterationLimit;
+      return result;
+    }
+    if (workspace_.context().cancelled()) {
+      result.verdict = Verdict::kCancelled;
+      return result;
+    }
+    last_residual = result.residual;
+    if (!shift_.factorize(workspace_)) {
+      result.verdict = Verdict::kStalled;
+      return result;
+    }
+    free_ = -workspace_.free_gradient();
+    workspace_.factor().solve(free_, free_);
+    const double slope = workspace_.free_gradient().dot(free_);
+    workspace_.multiply_free(free_, image_);
+    const double curvature = free_.dot(image_);
+    workspace_.to_increment(free_, step_);
+    const double reach = reach_of(workspace_.system(), state_, step_, options_, 1);
+    path_.begin(state_, step_, reach);
+    const bool moved = line_search(slope, curvature, reach);
+    if (!moved) {
+      // Near the end energies no longer tell steps apart: the full Newton step counts if it lowers the forces.
+      const double residual = result.residual;
+      bool polished = false;
+      if (shift_.shift() == 0 && path_.at(reach, trial_)) {
+        workspace_.gradient(trial_, image_);
+        workspace_.problem().supports.restrict(image_, free_);
+        polished = workspace_.residual(free_) < 0.9 * residual;
+      }
+      if (!polished) {
+        const bool rounding = residual <= 100 * workspace_.problem().scales.rounding;
+        result.verdict = rounding ? Verdict::kStable : Verdict::kStalled;
+        return result;
+      }
+      trial_energy_ = workspace_.energy(trial_);
+      taken_ = reach;
+    }
+    const double turn = largest_turn(workspace_.system(), state_, step_);
+    if (moved && first_trial_ && shift_.shift() > 0 && options_.expansion == Expansion::kOn) {
+      expand(slope, turn, largest_roll(workspace_.system(), step_));
+    }
+    shift_.learn(workspace_);
+    std::swap(state_, trial_);
+    const double before = energy_;
+    energy_ = trial_energy_;
+    records.push_back({static_cast<int>(records.size()), state_.load_factor, energy_, result.residual, shift_.shift(),
+                       taken_, taken_ * turn, workspace_.factorizations()});
+    workspace_.context().report({"solve", -1, static_cast<int>(records.size()), result.residual, "minimising energy"});
+    // Rounding in the energy can hide a cycle: stop when neither energy nor residual improves for a while.
+    without_progress = (before - energy_ > kEnergyNoise * std::abs(energy_) || result.residual < 0.5 * least_residual)
+                           ? 0
+                           : without_progress + 1;
+    least_residual = std::min(least_residual, result.residual);
+    if (without_progress > 12) {
+      result.verdict = result.residual <= 100 * workspace_.problem().scales.rounding ? Verdict::kStable : Verdict::kStalled;
+      return result;
+    }
+    const double size = workspace_.problem().scales.length;
+    if ((state_.position(0) - workspace_.system().structure.nodes[0]).norm() > kRunawaySizes * size ||
+        state_.q.head(3 * workspace_.system().layout.nodes()).cwiseAbs().maxCoeff() > 2 * kRunawaySizes * size + 1e6 * size) {
+      result.verdict = Verdict::kRunaway;
+      return result;
+    }
+  }
+}
+
+}  // namespace
+
+Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
+                 int max_iterations, std::vector<IterationRecord>& records) {
+  return Minimization(workspace, state, options).run(tolerance, max_iterations, records);
+}
+
+int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, const SolveOptions& options) {
+  const StaticProblem& problem = workspace.problem();
+  const System& system = workspace.system();
+  ShiftPolicy shift(options.shift);
+  StepPathPolicy path(workspace, options.path == StepPath::kStraight || options.path == StepPath::kSecondOrder
+                                     ? StepPath::kStraight
+                                     : StepPath::kRotating);
+  State moved;
+  VecX local, free, image;
+  for (int step = 0; step < 1000; ++step) {
+    VecX prescribed = problem.supports.prescribed_increment(system, state, load_factor);
+    const double farthest = prescribed.cwiseAbs().maxCoeff();
+    if (farthest < 1e-13 * std::max(1.0, problem.scales.length)) {
+      state.load_factor = load_factor;
+      return step;
+    }
+    // The free unknowns follow as the tangent predicts: H_ff d_f = -H_fp d_p.
+    workspace.assemble(state);
+    if (!shift.factorize(workspace)) return -1;
+    local = prescribed;
+    problem.potential.to_local(local);
+    multiply(problem.potential.pattern(), workspace.hessian(), local, image);
+    problem.supports.restrict(image, free);
+    free = -free;
+    workspace.factor().solve(free, free);
+    VecX d;
+    workspace.to_increment(free, d);
+    d += prescribed;
+    double a = reach_of(system, state, d, options, 1);
+    path.begin(state, d, a);
+    bool done = false;
+    for (int halving = 0; halving < 30 && !done; ++halving, a *= done ? 1 : 0.5) {
+      // Prescribed places are exact on any path: the fit holds them.
+      done = path.at(a, moved) && std::isfinite(workspace.energy(moved));
+      if (done) break;
+    }
+    if (!done) return -1;
+    moved.load_factor = state.load_factor + a * (load_factor - state.load_factor);
+    if (a == 1) moved.load_factor = load_factor;
+    std::swap(state, moved);
+    shift.learn(workspace);
+    if (workspace.context().cancelled()) return step + 1;
+  }
+  return -1;
+}
+
+}  // namespace lissom

@@ -1,0 +1,25 @@
+#pragma once
+/// Energy minimisation by Newton's method with exact Hessians [mathematics 4; convergence 4].
+
+#include "lissom/equilibrium/equilibrium.h"
+#include "lissom/equilibrium/newton_workspace.h"
+#include "lissom/equilibrium/options.h"
+
+namespace lissom {
+
+/// How an iteration over states ended; the state and its records are in the caller's hands.
+struct Descent {
+  Verdict verdict = Verdict::kBadStart;  ///< kStable stands for "converged": stability has not been looked at yet
+  int iterations = 0;
+  double residual = 0;                   ///< N
+};
+
+/// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N).
+Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
+                 int max_iterations, std::vector<IterationRecord>& records);
+
+/// Brings prescribed unknowns and loads of `state` to `load_factor` by linear prediction, in as many steps as the limits
+/// on turns ask for. Returns the number of steps, or -1 when it cannot.
+int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, const SolveOptions& options);
+
+}  // namespace lissom

@@ -1,0 +1,115 @@
+#include "lissom/equilibrium/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lissom {
+
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+void find_worst(const StaticProblem& problem, const VecX& free_gradient, Equilibrium& result) {
+  const System& system = *problem.system;
+  const Structure& structure = system.structure;
+  const auto rod_of = [&](int edge) { return structure.rods[structure.edges[edge].rod].name; };
+
+  int worst_dof = -1;
+  double worst_force = 0;
+  const std::span<const int> kept = problem.supports.kept();
+  for (int i = 0; i < static_cast<int>(kept.size()); ++i) {
+    if (kept[i] < 0) continue;
+    const bool position = system.layout.dof_class(i) == DofClass::kPosition;
+    const double f = std::abs(free_gradient[kept[i]]) / (position ? 1 : system.rest.mean_edge_length);
+    if (f > worst_force) {
+      worst_force = f;
+      worst_dof = i;
+    }
+  }
+  if (worst_dof >= 0) {
+    WorstElement worst{"unbalanced force", "", -1, -1, worst_force, "N"};
+    if (worst_dof < 3 * system.layout.nodes()) {
+      worst.node = worst_dof / 3;
+    } else if (worst_dof < 3 * system.layout.nodes() + system.layout.edges()) {
+      worst.edge = worst_dof - 3 * system.layout.nodes();
+    } else {
+      const int k = (worst_dof - 3 * system.layout.nodes() - system.layout.edges()) / 3;
+      worst.node = structure.joints[system.layout.joint_of_rotation(k)].node;
+    }
+    for (int e = 0; e < system.edge_count() && worst.rod.empty(); ++e) {
+      const StructureEdge& edge = structure.edges[e];
+      if (e == worst.edge || edge.node0 == worst.node || edge.node1 == worst.node) worst.rod = rod_of(e);
+    }
+    result.worst.push_back(worst);
+  }
+  WorstElement strain{"axial strain", "", -1, -1, 0, ""}, turn{"turning angle", "", -1, -1, 0, "rad"};
+  for (int e = 0; e < system.edge_count(); ++e) {
+    const double s = result.state.edges[e].length / system.rest.edges[e].length - 1;
+    if (strain.edge < 0 || std::abs(s) > std::abs(strain.value)) strain = {strain.what, rod_of(e), -1, e, s, ""};
+  }
+  for (const StructurePair& pair : structure.pairs) {
+    const Vec3 &a = result.state.edges[pair.edge0].t, &b = result.state.edges[pair.edge1].t;
+    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    if (turn.node < 0 || angle > turn.value) {
+      turn = {turn.what, rod_of(pair.edge0), structure.edges[pair.edge0].node1, -1, angle, "rad"};
+    }
+  }
+  if (strain.edge >= 0) result.worst.push_back(strain);
+  if (turn.node >= 0) result.worst.push_back(turn);
+}
+
+}  // namespace
+
+VecX reactions(const StaticProblem& problem, const VecX& local_gradient) {
+  VecX reaction = local_gradient;
+  for (int i = 0; i < reaction.size(); ++i) {
+    if (!problem.supports.held_by_pose(i)) reaction[i] = 0;
+  }
+  problem.potential.to_global(reaction);
+  return reaction;
+}
+
+void describe(const StaticProblem& problem, NewtonWorkspace& workspace, Equilibrium& result) {
+  AssemblyBuffers buffers;
+  VecX gradient, free_gradient;
+  if (result.verdict != Verdict::kBadStart) {
+    std::vector<double> shares(problem.potential.terms().size());
+    result.energy = problem.potential.value(result.state, buffers, nullptr, shares);
+    for (size_t t = 0; t < shares.size(); ++t) {
+      result.energy_shares.push_back({std::string(problem.potential.terms()[t]->name()), shares[t]});
+    }
+    problem.potential.gradient(result.state, gradient, buffers);
+    problem.supports.restrict(gradient, free_gradient);
+    result.residual = workspace.residual(free_gradient);
+    result.reaction = reactions(problem, gradient);
+    find_worst(problem, free_gradient, result);
+  }
+  const VerdictInfo& info = verdict_info(result.verdict);
+  result.message = std::string(info.sentence);
+  switch (result.verdict) {
+    case Verdict::kStable:
+    case Verdict::kCritical:
+    case Verdict::kUnstable:
+      if (!result.modes.empty()) result.message += "; lowest mode " + number(result.modes.front().stiffness) + " N/m";
+      break;
+    case Verdict::kIterationLimit:
+    case Verdict::kStalled:
+    case Verdict::kRunaway:
+    case Verdict::kCancelled:
+      result.message += "; largest unbalanced force " + number(result.residual) + " N against " +
+                        number(result.tolerance) + " N wanted";
+      if (!result.worst.empty() && !result.worst.front().rod.empty()) {
+        result.message += ", at rod " + result.worst.front().rod;
+      }
+      break;
+    case Verdict::kBadStart:
+      break;
+  }
+}
+
+}  // namespace lissom

@@ -1,0 +1,83 @@
+#include "lissom/equilibrium/shift.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lissom {
+
+namespace {
+
+constexpr double kSmallest = 1e-9;
+constexpr int kSubspace = 2;
+
+}  // namespace
+
+bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
+  shift_ = next_;
+  for (int attempt = 0; attempt < 40; ++attempt) {
+    const FactorReport report = workspace.factorize(shift_);
+    if (report.positive_definite) return true;
+    double proposal = std::max(4 * shift_, 1e-7);
+    if (rule_ == ShiftRule::kEigenvalue && report.complete && report.negative_pivots > 0 && attempt < 3) {
+      // The factor exists though indefinite: iterating with it finds the eigenvalues next to -shift, the negative ones
+      // among them; the lowest of these tells how much is missing.
+      const double lowest = estimate_lowest(workspace, 3);
+      if (std::isfinite(lowest) && lowest < 0) proposal = std::max(proposal, -1.3 * lowest);
+    }
+    shift_ = proposal;
+  }
+  return false;
+}
+
+void ShiftPolicy::learn(NewtonWorkspace& workspace) {
+  if (rule_ == ShiftRule::kRemembered) {
+    next_ = shift_ / 8 > kSmallest ? shift_ / 8 : 0;
+    return;
+  }
+  if (shift_ == 0) {
+    next_ = 0;
+    return;
+  }
+  const double lowest = estimate_lowest(workspace, 4);
+  next_ = lowest < 0 ? -1.3 * lowest : 0;
+}
+
+double ShiftPolicy::estimate_lowest(NewtonWorkspace& workspace, int steps) {
+  const VecX& metric = workspace.metric();
+  const int n = static_cast<int>(metric.size());
+  const int k = std::min(kSubspace, n);
+  if (vectors_.rows() != n || vectors_.cols() != k) {
+    // Deterministic start that has a part of everything.
+    vectors_.resize(n, k);
+    for (int j = 0; j < k; ++j) {
+      for (int i = 0; i < n; ++i) vectors_(i, j) = std::sin(1.0 + 0.37 * i * (j + 1) + 0.11 * j) / std::sqrt(metric[i]);
+    }
+  }
+  for (int step = 0; step < steps; ++step) {
+    for (int j = 0; j < k; ++j) {
+      work_ = metric.cwiseProduct(vectors_.col(j));
+      workspace.factor().solve(work_, work_);
+      for (int i = 0; i < j; ++i) {
+        work_ -= vectors_.col(i) * vectors_.col(i).cwiseProduct(metric).dot(work_);
+      }
+      const double norm = std::sqrt(work_.cwiseProduct(metric).dot(work_));
+      if (!(norm > 0) || !std::isfinite(norm)) {
+        vectors_.resize(0, 0);
+        return 0;
+      }
+      vectors_.col(j) = work_ / norm;
+    }
+  }
+  Eigen::Matrix<double, kSubspace, kSubspace> small = Eigen::Matrix<double, kSubspace, kSubspace>::Identity() * 1e300;
+  for (int j = 0; j < k; ++j) {
+    work_ = vectors_.col(j);
+    workspace.multiply_free(work_, image_);
+    for (int i = 0; i < k; ++i) small(i, j) = vectors_.col(i).dot(image_);
+  }
+  if (k == 1) return small(0, 0);
+  const double mean = 0.5 * (small(0, 0) + small(1, 1)), half = 0.5 * (small(0, 0) - small(1, 1));
+  const double mixed = 0.5 * (small(0, 1) + small(1, 0));
+  return mean - std::hypot(half, mixed);
+}
+
+}  // namespace lissom

@@ -1,0 +1,35 @@
+#pragma once
+/// Makes the Newton matrix positive definite: H + shift * metric, with as few factorisations as possible.
+
+#include "lissom/equilibrium/newton_workspace.h"
+#include "lissom/equilibrium/options.h"
+
+namespace lissom {
+
+class ShiftPolicy {
+ public:
+  explicit ShiftPolicy(ShiftRule rule) : rule_(rule) {}
+
+  /// Leaves a positive-definite factor of H + shift * metric in the workspace. Returns false when none was found.
+  bool factorize(NewtonWorkspace& workspace);
+
+  /// Shift of the last factor; 0 when H itself was positive definite.
+  double shift() const { return shift_; }
+
+  /// Prepares the shift of the next iteration from the present factor.
+  void learn(NewtonWorkspace& workspace);
+
+  /// Starts again without a memory (after a jump along a mode).
+  void forget() { next_ = 0; }
+
+ private:
+  /// Lowest eigenvalue of (H, metric) by a few steps of subspace iteration on the present factor.
+  double estimate_lowest(NewtonWorkspace& workspace, int steps);
+
+  ShiftRule rule_;
+  double shift_ = 0, next_ = 0;
+  MatX vectors_;  // unknowns x 2, kept between iterations
+  VecX work_, image_;
+};
+
+}  // namespace lissom
