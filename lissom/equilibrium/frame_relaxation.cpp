@@ -4,7 +4,7 @@
 
 namespace lissom {
 
-FrameRelaxation::FrameRelaxation(NewtonWorkspace& workspace) : workspace_(workspace) {
+FrameRelaxer::FrameRelaxer(NewtonWorkspace& workspace) : workspace_(workspace) {
   const DofLayout& layout = workspace.system().layout;
   kept_.assign(layout.size(), -1);
   for (int i = 3 * layout.nodes(); i < layout.size(); ++i) {
@@ -14,7 +14,7 @@ FrameRelaxation::FrameRelaxation(NewtonWorkspace& workspace) : workspace_(worksp
   b_.resize(unknowns_);
 }
 
-void FrameRelaxation::relax(State& state, int steps) {
+void FrameRelaxer::relax(State& state, int steps) {
   if (unknowns_ == 0) return;
   const Potential& potential = workspace_.problem().potential;
   for (int k = 0; k < steps; ++k) {

@@ -9,9 +9,9 @@
 
 namespace lissom {
 
-class FrameRelaxation {
+class FrameRelaxer {
  public:
-  explicit FrameRelaxation(NewtonWorkspace& workspace);
+  explicit FrameRelaxer(NewtonWorkspace& workspace);
 
   /// At most this many Newton steps; stops early where the small system is not positive definite.
   void relax(State& state, int steps);

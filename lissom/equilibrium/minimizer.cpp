@@ -50,7 +50,7 @@ class Minimization {
   const SolveOptions& options_;
   StepPathPolicy path_;
   ShiftPolicy shift_;
-  std::optional<FrameRelaxation> relaxation_;
+  std::optional<FrameRelaxer> relaxation_;
   State& state_;
   State trial_, best_;
   VecX free_, step_, image_;

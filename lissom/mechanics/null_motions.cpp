@@ -118,7 +118,7 @@ class PartSupport {
       add(3 * node, [&](int m) { return rigid.displacement(system_.structure.nodes[node], m); });
       const int joint = system_.joint_of_node[node];
       const int r = joint < 0 ? -1 : system_.layout.rotation(joint);
-      if (r >= 0) add(r, [&](int m) -> Vec3 { return m < 3 ? Vec3::Zero() : Vec3::Unit(m - 3); });
+      if (r >= 0) add(r, [&](int m) -> Vec3 { return m < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(m - 3)); });
     }
     Mat6X matrix(static_cast<int>(rows.size()), 6);
     for (int i = 0; i < matrix.rows(); ++i) matrix.row(i) = rows[i];

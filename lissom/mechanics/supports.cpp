@@ -46,7 +46,7 @@ VecX Supports::prescribed_increment(const System& system, const State& state, do
     const Mat3 reached = rotation_from_vector(change) * state.joint_rotation[held.joint];
     bool all = true;
     for (int i = 0; i < 3; ++i) all = all && held_[at + i];
-    const Vec3 rest = all ? vector_from_rotation(target * reached.transpose()) : Vec3::Zero();
+    const Vec3 rest = all ? vector_from_rotation(target * reached.transpose()) : Vec3(Vec3::Zero());
     dq.segment<3>(at) = masked(at, rest.norm() < 1e-12 ? change : Vec3(change + rest));
   }
   for (const HeldRoll& held : rolls_) {
