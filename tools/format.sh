@@ -15,10 +15,12 @@ if [ ${#files[@]} -eq 0 ]; then
   exit 1
 fi
 if [ "${1:-}" = --check ]; then
-  "$format" --dry-run -Werror "${files[@]}" || {
-    echo "tools/format.sh: the files above are not formatted; run 'make format'" >&2
+  bad=$("$format" --dry-run "${files[@]}" 2>&1 | grep -F Wclang-format-violations | cut -d : -f 1,2 | sort -u -t : -k 1,1 || true)
+  if [ -n "$bad" ]; then
+    echo "$bad"
+    echo "tools/format.sh: these files are not formatted, first from the lines given; run 'make format'" >&2
     exit 1
-  }
+  fi
   say "format: ${#files[@]} files are as they should be"
 else
   "$format" -i "${files[@]}"
