@@ -54,9 +54,9 @@ void measure(const char* name, const rod_matrices::Blocks& blocks, int repeats) 
       const double solve = median_ms(repeats, [&] { solver.solve(b, x); });
       const double solve_many = median_ms(3, [&] { solver.solve_many(many, solutions); });
       const LinearSolver::Statistics& s = solver.statistics();
-      std::printf("  %-9s %-6s %10lld %9.2f %9.2f %9.3f %8.3f %10.2f%s%s\n", s.kind == FactorKind::kLdl ? "LDL'" : "LL'",
-                  s.ordering == Ordering::kAmd ? "AMD" : "METIS", static_cast<long long>(s.factor_nonzeros),
-                  s.factor_flops * 1e-6, analyse, numeric, solve, solve_many,
+      std::printf("  %-9s %-6s %10lld %9.2f %9.2f %9.3f %8.3f %10.2f%s%s\n",
+                  s.kind == FactorKind::kLdl ? "LDL'" : "LL'", s.ordering == Ordering::kAmd ? "AMD" : "METIS",
+                  static_cast<long long>(s.factor_nonzeros), s.factor_flops * 1e-6, analyse, numeric, solve, solve_many,
                   kind == FactorKind::kBest ? "  <- best" : "", ok ? "" : "  FAILED");
     }
   }

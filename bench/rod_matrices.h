@@ -1,5 +1,6 @@
 #pragma once
-/// Matrices with the stencils of discrete rods and values from a fixed seed, for the benchmark and the tests of the solvers.
+/// Matrices with the stencils of discrete rods and values from a fixed seed, for the benchmark and the tests of the
+/// solvers.
 
 #include <cstdint>
 #include <vector>

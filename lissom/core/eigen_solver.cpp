@@ -13,9 +13,9 @@ namespace lissom {
 
 namespace {
 
-constexpr int kGuardVectors = 4;     ///< width of the block beyond the wanted pairs
-constexpr int kBlocksPerCycle = 8;   ///< blocks added before a restart
-constexpr int kMaxBlocks = 400;      ///< in all
+constexpr int kGuardVectors = 4;      ///< width of the block beyond the wanted pairs
+constexpr int kBlocksPerCycle = 8;    ///< blocks added before a restart
+constexpr int kMaxBlocks = 400;       ///< in all
 constexpr double kDependent = 1e-12;  ///< what is left of a vector, relative, that counts as nothing
 
 class Iteration {
@@ -161,8 +161,9 @@ class Iteration {
     used_ = keep;
   }
 
-  /// Rayleigh-Ritz for (K + shift M, M) on U = op(Y), Y the best Ritz vectors: as (K + shift M) U = M Y, it costs no product
-  /// with K. It frees the vectors of massless and stiff parts, and errors of the values become those of the vectors squared.
+  /// Rayleigh-Ritz for (K + shift M, M) on U = op(Y), Y the best Ritz vectors: as (K + shift M) U = M Y, it costs no
+  /// product with K. It frees the vectors of massless and stiff parts, and errors of the values become those of the
+  /// vectors squared.
   void finish(EigenPairs& result) {
     const Eigen::Index width = std::min<Eigen::Index>(block_, used_);
     MatX y = basis_.leftCols(used_) * ritz_vectors_.leftCols(width);
@@ -189,7 +190,7 @@ class Iteration {
   VecX metric_;
   int count_;
   Eigen::Index block_ = 0;
-  MatX basis_;           ///< (unknowns x capacity), M-orthonormal; the first used_ span the space, then the next block
+  MatX basis_;  ///< (unknowns x capacity), M-orthonormal; the first used_ span the space, then the next block
   Eigen::Index used_ = 0;
   Eigen::Index fresh_ = 0;  ///< columns of the next block
   Eigen::Index last_ = 0;   ///< columns of the block added last

@@ -5,14 +5,13 @@
 /// the values. The permutation includes the postorder of the elimination tree, which supernodes need.
 #include "lissom/core/linear_solver.h"
 
-#include <cholmod.h>
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
+#include <cholmod.h>
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <omp.h>
 #include <utility>
 
 #include "lissom/core/assert.h"
@@ -26,11 +25,13 @@ namespace lissom {
 
 namespace {
 
-/// Operations per unknown with AMD below which METIS is not asked: it takes 3 to 10 us per unknown, and gains nothing on
-/// rod networks (8,000 operations per unknown at 430k unknowns: 375 ms against 357 for a factorisation) nor on small membranes.
+/// Operations per unknown with AMD below which METIS is not asked: it takes 3 to 10 us per unknown, and gains nothing
+/// on rod networks (8,000 operations per unknown at 430k unknowns: 375 ms against 357 for a factorisation) nor on small
+/// membranes.
 constexpr double kMetisWorthFlopsPerUnknown = 10000;
-/// Operations per nonzero of the factor from which dense blocks beat indexed loops: at 36 (rod networks of 12k unknowns)
-/// LDL' needs 0.7 of the time of LL', at 73 (a membrane of 2.7k) 1.4, at 110 (8k) 2 to 3 (bench/linear_solver_bench).
+/// Operations per nonzero of the factor from which dense blocks beat indexed loops: at 36 (rod networks of 12k
+/// unknowns) LDL' needs 0.7 of the time of LL', at 73 (a membrane of 2.7k) 1.4, at 110 (8k) 2 to 3
+/// (bench/linear_solver_bench).
 constexpr double kWideFlopsPerNonzero = 65;
 /// Numbers of right-hand sides that are solved together, widest first. Each has workspaces of its own, because CHOLMOD
 /// allocates them anew whenever their shape changes.

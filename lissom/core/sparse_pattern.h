@@ -9,7 +9,8 @@
 
 namespace lissom {
 
-/// Lower triangle with full diagonal, compressed by columns, rows ascending; the diagonal entry comes first in its column.
+/// Lower triangle with full diagonal, compressed by columns, rows ascending; the diagonal entry comes first in its
+/// column.
 class SparsePattern {
  public:
   SparsePattern() = default;

@@ -1,9 +1,8 @@
 #include "lissom/core/eigen_solver.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Eigenvalues>
 #include <chrono>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <numeric>
 
@@ -76,7 +75,9 @@ void expect_pairs(const Pencil& p, const EigenPairs& e, double tolerance) {
     const VecX u = e.vectors.col(i);
     multiply(p.pattern, p.values, u, ku);
     EXPECT_LT((ku - e.values[i] * m.cwiseProduct(u)).norm(), tolerance * scale * u.norm()) << "pair " << i;
-    if (i > 0) EXPECT_LE(e.values[i - 1], e.values[i]);
+    if (i > 0) {
+      EXPECT_LE(e.values[i - 1], e.values[i]);
+    }
   }
   const MatX gram = e.vectors.transpose() * m.asDiagonal() * e.vectors;
   EXPECT_LT((gram - MatX::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff(), 1e-10);

@@ -1,12 +1,11 @@
 #include "lissom/core/linear_solver.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
 #include <thread>
@@ -68,8 +67,9 @@ int count_kept(const std::vector<int>& kept) {
   return static_cast<int>(std::count_if(kept.begin(), kept.end(), [](int k) { return k >= 0; }));
 }
 
-Eigen::SparseMatrix<double> reference(const SparsePattern& p, const std::vector<double>& v, const std::vector<int>& kept,
-                                      double shift = 0, const std::vector<double>& metric = {}) {
+Eigen::SparseMatrix<double> reference(const SparsePattern& p, const std::vector<double>& v,
+                                      const std::vector<int>& kept, double shift = 0,
+                                      const std::vector<double>& metric = {}) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < p.size(); ++j) {
     for (int s = p.column_start()[j]; s < p.column_start()[j + 1]; ++s) {
@@ -365,9 +365,9 @@ TEST(LinearSolver, SolversInSeveralThreadsAgreeToTheLastBit) {
   const SparsePattern p = b.pattern();
   const std::vector<double> v = rod_matrices::values(b, p);
   const VecX rhs = random_vector(b.size, 6);
-  for (const LinearSolverOptions options : {LinearSolverOptions{.kind = FactorKind::kLdl},
-                                            LinearSolverOptions{.ordering = Ordering::kMetis,
-                                                                .kind = FactorKind::kCholesky}}) {
+  for (const LinearSolverOptions options :
+       {LinearSolverOptions{.kind = FactorKind::kLdl},
+        LinearSolverOptions{.ordering = Ordering::kMetis, .kind = FactorKind::kCholesky}}) {
     std::vector<VecX> x(4);
     std::vector<std::thread> threads;
     for (VecX& result : x) {

@@ -1,10 +1,9 @@
 #include "lissom/core/sparse_pattern.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "bench/rod_matrices.h"
@@ -51,7 +50,9 @@ TEST(SparsePattern, UnionOfUnsortedGroupsWithRepeatsAndSkippedIndices) {
       const bool present = expected.contains({i, j});
       EXPECT_EQ(p.slot(i, j) >= 0, present) << i << ' ' << j;
       EXPECT_EQ(p.slot(i, j), p.slot(j, i));
-      if (present) EXPECT_EQ(p.row()[p.slot(i, j)], i);
+      if (present) {
+        EXPECT_EQ(p.row()[p.slot(i, j)], i);
+      }
     }
   }
 }
