@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "lissom/view/svg_compact.h"
+#include "lissom/view/text.h"
 
 namespace lissom {
 namespace {
@@ -16,44 +17,6 @@ namespace {
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
-}
-
-/// Length of the UTF-8 sequence at the front of `text`, 0 when it is not valid.
-size_t sequence_length(std::string_view text) {
-  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  const size_t length = lead < 0x80 ? 1 : lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3
-                                        : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  if (length == 3 && ((lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) >= 0xa0))) return 0;
-  if (length == 4 && ((lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) >= 0x90))) return 0;
-  return length;
-}
-
-/// Names come from documents: control characters and broken UTF-8 become question marks.
-std::string printable(std::string_view text) {
-  std::string clean;
-  while (!text.empty()) {
-    const size_t length = sequence_length(text);
-    const bool control = static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7f;
-    clean += length == 0 || control ? "?" : std::string(text.substr(0, length));
-    text.remove_prefix(std::max<size_t>(length, 1));
-  }
-  return clean;
-}
-
-std::string xml_escaped(const std::string& text) {
-  std::string escaped;
-  for (char c : text) {
-    if (c == '&') escaped += "&amp;";
-    else if (c == '<') escaped += "&lt;";
-    else if (c == '>') escaped += "&gt;";
-    else escaped += c;
-  }
-  return escaped;
 }
 
 }  // namespace
@@ -215,7 +178,7 @@ Result<std::string> Canvas::finish(const std::string& title) {
     const size_t head = s.bytes.find("<svg");
     const size_t end = head == std::string::npos ? head : s.bytes.find('>', head);
     if (end != std::string::npos && !title.empty()) {
-      s.bytes.insert(end + 1, "\n<title>" + xml_escaped(printable(title)) + "</title>");
+      s.bytes.insert(end + 1, "\n<title>" + xml_escaped(title) + "</title>");
     }
   }
   return std::move(s.bytes);

@@ -7,7 +7,7 @@ namespace lissom {
 
 namespace {
 
-constexpr double kSeam = 0.35;  // px; neighbouring faces overlap, or antialiasing would show the page between them
+constexpr double kSeam = 0.3;  // px; neighbouring faces overlap, or antialiasing would show the page between them
 
 /// Convex polygon with its edges moved outwards (bevelled at sharp corners), px.
 void widen(std::span<const Vec2> points, std::vector<Vec2>& widened) {
