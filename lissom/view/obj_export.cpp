@@ -33,12 +33,6 @@ void append_vertex(std::string& text, Number x, Number y, Number z) {
 
 }  // namespace
 
-Status SurfaceExportOptions::validate() const {
-  if (sides >= 4 && sides <= 512 && sides % 2 == 0) return {};
-  return Error{ErrorCode::kRange, "sides", fmt::format("a rod cannot have {} sides", sides),
-               "use an even number from 4 to 512"};
-}
-
 Result<std::string> obj_centrelines(const Drawing& drawing) {
   if (Status status = check_drawing(drawing); !status) return status.error();
   std::string text = "# centrelines, millimetres\n";
@@ -65,10 +59,10 @@ Result<std::string> obj_centrelines(const Drawing& drawing) {
   return text;
 }
 
-Result<std::string> obj_surfaces(const Drawing& drawing, const SurfaceExportOptions& options) {
-  if (Status status = options.validate(); !status) return status.error();
+Result<std::string> obj_surfaces(const Drawing& drawing, int sides) {
+  if (Status status = check_sides(sides); !status) return status.error();
   if (Status status = check_drawing(drawing); !status) return status.error();
-  const SurfaceMesh mesh = rod_surfaces(drawing, options.sides);
+  const SurfaceMesh mesh = rod_surfaces(drawing, sides);
   std::string text = "# surfaces of rods, millimetres\n";
   for (const Vec3& v : mesh.vertices) {
     const Eigen::Vector3f mm = (1000 * v).cast<float>();

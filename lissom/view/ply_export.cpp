@@ -6,8 +6,8 @@
 
 namespace lissom {
 
-Result<std::string> ply_surfaces(const Drawing& drawing, const SurfaceExportOptions& options) {
-  if (Status status = options.validate(); !status) return status.error();
+Result<std::string> ply_surfaces(const Drawing& drawing, const PlyOptions& options) {
+  if (Status status = check_sides(options.sides); !status) return status.error();
   if (Status status = check_drawing(drawing); !status) return status.error();
   const Field* field = options.field.empty() ? nullptr : drawing.field(options.field);
   if (field == nullptr && !options.field.empty()) {

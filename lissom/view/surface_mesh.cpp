@@ -1,5 +1,7 @@
 #include "lissom/view/surface_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "lissom/view/tube.h"
@@ -71,8 +73,14 @@ class Skinner {
       for (int k = 0; k < sides(); ++k) {
         const int next = (k + 1) % sides();
         const int upper = (k + shift) % sides(), upper_next = (next + shift) % sides();
-        add_triangle(ring0 + k, ring0 + next, ring1 + upper_next, facing);
-        add_triangle(ring0 + k, ring1 + upper_next, ring1 + upper, facing);
+        // Faces of a twisted rod are saddles. Opposite diagonals on opposite sides keep its thickness and volume.
+        if (k < sides() / 2) {
+          add_triangle(ring0 + k, ring0 + next, ring1 + upper_next, facing);
+          add_triangle(ring0 + k, ring1 + upper_next, ring1 + upper, facing);
+        } else {
+          add_triangle(ring0 + k, ring0 + next, ring1 + upper, facing);
+          add_triangle(ring0 + next, ring1 + upper_next, ring1 + upper, facing);
+        }
       }
     }
   }
@@ -102,6 +110,12 @@ class Skinner {
 };
 
 }  // namespace
+
+Status check_sides(int sides) {
+  if (sides >= 4 && sides <= 512 && sides % 2 == 0) return {};
+  return Error{ErrorCode::kRange, "sides", fmt::format("a rod cannot have {} sides", sides),
+               "use an even number from 4 to 512"};
+}
 
 SurfaceMesh rod_surfaces(const Drawing& drawing, int sides) {
   SurfaceMesh mesh;

@@ -16,7 +16,10 @@ struct SurfaceMesh {
   std::vector<int> first_triangle;            ///< of each rod
 };
 
-/// `sides` (even, >= 4) around ellipses and tubes; rectangles have their four. Tubes are hollow; ends are flat.
+/// Whether a rod can have this many sides: even, 4 to 512.
+Status check_sides(int sides);
+
+/// `sides` (as check_sides wants) around ellipses and tubes; rectangles have their four. Tubes are hollow; ends are flat.
 SurfaceMesh rod_surfaces(const Drawing& drawing, int sides);
 
 }  // namespace lissom
