@@ -34,10 +34,10 @@ class Camera {
 
   Vec2 project(const Vec3& point) const;
   double depth(const Vec3& point) const { return (point - centre_).dot(towards_); }
-  double scale(const Vec3& point) const;           ///< px per m at a point
-  double scale() const { return zoom_; }           ///< px per m at the centre of the content
-  Vec3 towards_eye(const Vec3& point) const;       ///< unit
-  const Vec3& right() const { return right_; }     ///< unit, page directions in space
+  double scale(const Vec3& point) const;        ///< px per m at a point
+  double scale() const { return zoom_; }        ///< px per m at the centre of the content
+  Vec3 towards_eye(const Vec3& point) const;    ///< unit
+  const Vec3& right() const { return right_; }  ///< unit, page directions in space
   const Vec3& up() const { return up_; }
   const Vec3& towards() const { return towards_; }
 

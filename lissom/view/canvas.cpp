@@ -1,11 +1,10 @@
 #include "lissom/view/canvas.h"
 
+#include <algorithm>
 #include <cairo-svg.h>
 #include <cairo.h>
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "lissom/view/svg_compact.h"

@@ -18,7 +18,7 @@ enum class ImageFormat { kPng, kSvg };
 struct Stroke {
   enum class Cap { kButt, kRound };
   Color color;
-  double width = 1;          ///< px
+  double width = 1;  ///< px
   Cap cap = Cap::kRound;
   std::vector<double> dash = {};  ///< px on, px off, ...; empty: solid
 };

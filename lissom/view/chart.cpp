@@ -1,10 +1,9 @@
 #include "lissom/view/chart.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "lissom/view/ticks.h"
@@ -57,8 +56,10 @@ Result<Scale> make_scale(const ChartAxis& axis, const std::vector<double>& given
       low -= half, high += half;
     }
     const double margin = 0.04 * (high - low);
-    if (low > 0 && low < 0.35 * high) low = 0;
-    else if (low != 0) low -= margin;
+    if (low > 0 && low < 0.35 * high)
+      low = 0;
+    else if (low != 0)
+      low -= margin;
     high += high == 0 ? 0 : margin;
   }
   if (axis.low) low = *axis.low * axis.display_scale;
@@ -82,10 +83,18 @@ std::string axis_title(const ChartAxis& axis, const Scale& scale) {
 void draw_mark(Canvas& canvas, const Vec2& at, size_t shape, double size, const Color& color) {
   const auto corner = [&](double x, double y) { return Vec2(at + size * Vec2(x, y)); };
   switch (shape % 4) {
-    case 0: canvas.disc(at, size, color); return;
-    case 1: canvas.polygon(std::array{corner(-0.9, -0.9), corner(0.9, -0.9), corner(0.9, 0.9), corner(-0.9, 0.9)}, color); return;
-    case 2: canvas.polygon(std::array{corner(0, -1.2), corner(1.1, 0.8), corner(-1.1, 0.8)}, color); return;
-    default: canvas.polygon(std::array{corner(0, -1.3), corner(1.3, 0), corner(0, 1.3), corner(-1.3, 0)}, color); return;
+    case 0:
+      canvas.disc(at, size, color);
+      return;
+    case 1:
+      canvas.polygon(std::array{corner(-0.9, -0.9), corner(0.9, -0.9), corner(0.9, 0.9), corner(-0.9, 0.9)}, color);
+      return;
+    case 2:
+      canvas.polygon(std::array{corner(0, -1.2), corner(1.1, 0.8), corner(-1.1, 0.8)}, color);
+      return;
+    default:
+      canvas.polygon(std::array{corner(0, -1.3), corner(1.3, 0), corner(0, 1.3), corner(-1.3, 0)}, color);
+      return;
   }
 }
 
@@ -153,8 +162,8 @@ class Page {
     const double shown = guide.value * (level ? chart_.y : chart_.x).display_scale;
     const double place = (level ? y_ : x_).place(shown);
     if (!std::isfinite(place)) return;
-    const Stroke stroke{.color = colors_.faint_ink, .width = 0.09 * em_, .cap = Stroke::Cap::kButt,
-                        .dash = {0.5 * em_, 0.35 * em_}};
+    const Stroke stroke{
+        .color = colors_.faint_ink, .width = 0.09 * em_, .cap = Stroke::Cap::kButt, .dash = {0.5 * em_, 0.35 * em_}};
     TextStyle style{.size = 0.85 * em_, .color = colors_.faint_ink};
     if (level) {
       const double py = bottom_ - (bottom_ - top_) * place;
@@ -170,7 +179,9 @@ class Page {
 
   Stroke line_of(size_t index) const {
     const std::array<std::vector<double>, 4> dashes = {{{}, {0.9, 0.45}, {0.25, 0.35}, {0.9, 0.35, 0.25, 0.35}}};
-    Stroke stroke{.color = color_of(index), .width = 0.16 * em_, .cap = Stroke::Cap::kButt,
+    Stroke stroke{.color = color_of(index),
+                  .width = 0.16 * em_,
+                  .cap = Stroke::Cap::kButt,
                   .dash = dashes[index % dashes.size()]};
     for (double& length : stroke.dash) length *= em_;
     return stroke;

@@ -16,8 +16,8 @@ namespace lissom {
 struct ChartAxis {
   enum class Scale { kLinear, kLogarithmic };
   std::string label;
-  std::string unit = {};        ///< as displayed; empty: a pure number
-  double display_scale = 1;     ///< shown value = given value * display_scale
+  std::string unit = {};     ///< as displayed; empty: a pure number
+  double display_scale = 1;  ///< shown value = given value * display_scale
   Scale scale = Scale::kLinear;
   std::optional<double> low = {}, high = {};  ///< ends, as given (before display_scale); absent: fits the data
 };

@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include <array>
+#include <fmt/format.h>
 #include <map>
 
 #include "lissom/view/mesh_export.h"

@@ -1,9 +1,8 @@
 #include "lissom/view/picture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "lissom/view/picture_parts.h"
@@ -16,10 +15,10 @@ constexpr int kPngBudget = 60000, kSvgBudget = 9000;  // pieces per panel
 
 /// Everything that the panels share.
 struct Shared {
-  std::vector<Vec3> points;    // m, what must be visible
-  std::vector<double> radii;   // m
+  std::vector<Vec3> points;   // m, what must be visible
+  std::vector<double> radii;  // m
   MarkerScale markers;
-  double ground = 0;           // m
+  double ground = 0;  // m
   int supports = 0;
   Legend legend;
   const Field* field = nullptr;  // first one of that name
@@ -113,8 +112,10 @@ void gather_colors(const std::vector<Panel>& panels, const PictureOptions& optio
       if (layer.style != Layer::Style::kSolid) continue;
       const Field& field = *layer.drawing.field(options.field);
       if (shared.field == nullptr) shared.field = &field;
-      const bool has_values = std::any_of(field.values.begin(), field.values.end(), [](double v) { return !std::isnan(v); });
-      shared.legend.has_missing |= std::any_of(field.values.begin(), field.values.end(), [](double v) { return std::isnan(v); });
+      const bool has_values =
+          std::any_of(field.values.begin(), field.values.end(), [](double v) { return !std::isnan(v); });
+      shared.legend.has_missing |=
+          std::any_of(field.values.begin(), field.values.end(), [](double v) { return std::isnan(v); });
       if (!has_values) continue;
       const ColorRange fitted = ColorRange::fitting(field.colors, field.values);
       const ColorRange extremes = ColorRange::fitting(Field::Colors::kSequential, field.values);
@@ -140,7 +141,8 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
   if (options.shadow == Visibility::kShown && options.view.elevation > 0.05) {
     Scene shadow(camera, shared.ground, colors.shadow);
     for (const Layer& layer : panel.layers) {
-      if (layer.style == Layer::Style::kSolid) add_rods(shadow, camera, layer.drawing, {.plain = colors.shadow}, budget / 4);
+      if (layer.style == Layer::Style::kSolid)
+        add_rods(shadow, camera, layer.drawing, {.plain = colors.shadow}, budget / 4);
     }
     shadow.paint(canvas);
   }
@@ -150,7 +152,9 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
       case Layer::Style::kDashed: {
         const double em = std::sqrt(static_cast<double>(options.width) * options.height) / 85;
         draw_centrelines(canvas, camera, layer.drawing,
-                         {.color = mix(colors.ghost, colors.ink, 0.25), .width = 0.1 * em, .cap = Stroke::Cap::kButt,
+                         {.color = mix(colors.ghost, colors.ink, 0.25),
+                          .width = 0.1 * em,
+                          .cap = Stroke::Cap::kButt,
                           .dash = {0.5 * em, 0.35 * em}});
         break;
       }
@@ -159,7 +163,8 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
         break;
       case Layer::Style::kSolid:
         add_rods(front, camera, layer.drawing,
-                 {.field = options.field.empty() ? nullptr : layer.drawing.field(options.field), .range = shared.range,
+                 {.field = options.field.empty() ? nullptr : layer.drawing.field(options.field),
+                  .range = shared.range,
                   .plain = colors.rod},
                  budget);
         break;
@@ -175,8 +180,9 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
 std::string force_note(const MarkerScale& scale) {
   if (scale.largest_force == 0) return {};
   const double f = scale.largest_force;
-  const std::string text = f >= 1000 ? number_text(f / 1000) + " kN" : f < 0.1 ? number_text(f * 1000) + " mN"
-                                                                            : number_text(f) + " N";
+  const std::string text = f >= 1000 ? number_text(f / 1000) + " kN"
+                           : f < 0.1 ? number_text(f * 1000) + " mN"
+                                     : number_text(f) + " N";
   return "longest arrow: " + text;
 }
 
@@ -187,8 +193,9 @@ struct Grid {
 
 Grid make_grid(int panels, int columns) {
   Grid grid;
-  grid.columns = columns > 0 ? std::min(columns, panels)
-                 : panels <= 4 ? panels : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panels))));
+  grid.columns = columns > 0   ? std::min(columns, panels)
+                 : panels <= 4 ? panels
+                               : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panels))));
   grid.rows = (panels + grid.columns - 1) / grid.columns;
   return grid;
 }
@@ -216,8 +223,9 @@ Result<std::string> draw_picture(const std::vector<Panel>& panels, const Picture
   const double legend_width = shared.field != nullptr ? 9 * em : 0;
 
   const Vec2 area_corner(margin, margin + title_height);
-  const Vec2 area = (Vec2(options.width, options.height) - area_corner -
-                     Vec2(margin + legend_width, margin + footer_height)).cwiseMax(4);
+  const Vec2 area =
+      (Vec2(options.width, options.height) - area_corner - Vec2(margin + legend_width, margin + footer_height))
+          .cwiseMax(4);
   const Grid grid = make_grid(static_cast<int>(panels.size()), options.columns);
   const double gap = em;
   const Vec2 cell((area.x() - gap * (grid.columns - 1)) / grid.columns, (area.y() - gap * (grid.rows - 1)) / grid.rows);
@@ -247,7 +255,8 @@ Result<std::string> draw_picture(const std::vector<Panel>& panels, const Picture
   if (options.ruler == Visibility::kShown) {
     x += draw_ruler(canvas, camera, colors, {x, base}, std::min(0.25 * view.x(), 14 * em), em);
     if (options.view.projection == Projection::kPerspective) {
-      canvas.text({x + 0.5 * em, base}, "at mid depth", {.size = 0.9 * em, .color = colors.faint_ink, .vertical = 0.35});
+      canvas.text({x + 0.5 * em, base}, "at mid depth",
+                  {.size = 0.9 * em, .color = colors.faint_ink, .vertical = 0.35});
       x += 7 * em;
     }
     x += 2 * em;

@@ -79,9 +79,8 @@ double draw_ruler(Canvas& canvas, const Camera& camera, const ThemeColors& color
   const double px = length * camera.scale();
   const double tick = 0.35 * em;
   const Stroke stroke{.color = colors.ink, .width = 0.1 * em, .cap = Stroke::Cap::kButt};
-  canvas.polyline(std::array{Vec2(at.x(), at.y() - tick), at, Vec2(at.x() + px, at.y()),
-                             Vec2(at.x() + px, at.y() - tick)},
-                  stroke);
+  canvas.polyline(
+      std::array{Vec2(at.x(), at.y() - tick), at, Vec2(at.x() + px, at.y()), Vec2(at.x() + px, at.y() - tick)}, stroke);
   const TextStyle label{.size = 0.9 * em, .color = colors.ink, .vertical = 0.35};
   canvas.text({at.x() + px + 0.6 * em, at.y()}, length_text(length), label);
   return px + 0.6 * em + canvas.text_width(length_text(length), label);

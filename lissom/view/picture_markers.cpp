@@ -25,9 +25,9 @@ void add_block(Scene& scene, const Vec3& centre, double half, const Color& color
     for (double side : {-1.0, 1.0}) {
       const Vec3 out = Vec3::Unit(axis) * side * half;
       const Vec3 u = Vec3::Unit((axis + 1) % 3) * half, v = Vec3::Unit((axis + 2) % 3) * half * side;
-      scene.add_face(std::array<Vec3, 4>{centre + out - u - v, centre + out + u - v, centre + out + u + v,
-                                         centre + out - u + v},
-                     color);
+      scene.add_face(
+          std::array<Vec3, 4>{centre + out - u - v, centre + out + u - v, centre + out + u + v, centre + out - u + v},
+          color);
     }
   }
 }

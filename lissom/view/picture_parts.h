@@ -14,7 +14,7 @@ struct RodPaint {
   const Field* field = nullptr;  ///< null: plain
   ColorRange range = {};
   Color plain;
-  double contrast = 1;           ///< of the shading
+  double contrast = 1;  ///< of the shading
 };
 
 /// Faces (or lines, where rods are thin on the page) of all rods. At most about `budget` pieces: more rods, coarser.
@@ -25,9 +25,9 @@ void draw_centrelines(Canvas& canvas, const Camera& camera, const Drawing& drawi
 
 /// Sizes of supports and arrows in m, for a structure of this size (m).
 struct MarkerScale {
-  double support = 0;        ///< height of a support
-  double arrow = 0;          ///< length of the longest arrow
-  double largest_force = 0;  ///< N, has the longest arrow
+  double support = 0;          ///< height of a support
+  double arrow = 0;            ///< length of the longest arrow
+  double largest_force = 0;    ///< N, has the longest arrow
   Vec3 middle = Vec3::Zero();  ///< arrows point away from or to here, outside the structure
 };
 
@@ -41,11 +41,11 @@ void add_marker(Scene& scene, const Marker& marker, const MarkerScale& scale, co
 
 /// What the legend says.
 struct Legend {
-  std::string title, unit;     ///< as displayed
+  std::string title, unit;  ///< as displayed
   Field::Colors colors = Field::Colors::kSequential;
-  ColorRange range;            ///< ends of the bar, in display units
-  ColorRange found;            ///< smallest and largest value in the picture, in display units
-  bool has_missing = false;    ///< some places have no value
+  ColorRange range;          ///< ends of the bar, in display units
+  ColorRange found;          ///< smallest and largest value in the picture, in display units
+  bool has_missing = false;  ///< some places have no value
   bool has_values = true;
 };
 

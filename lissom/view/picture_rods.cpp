@@ -68,8 +68,9 @@ Cut make_cut(const RodStrip& rod, const Camera& camera, double coarseness) {
 class Painter {
  public:
   Painter(const RodStrip& rod, const RodPaint& paint, size_t first_point, size_t first_edge)
-      : rod_(rod), paint_(paint), first_(paint.field && paint.field->place == Field::Place::kNode ? first_point
-                                                                                                 : first_edge) {}
+      : rod_(rod),
+        paint_(paint),
+        first_(paint.field && paint.field->place == Field::Place::kNode ? first_point : first_edge) {}
 
   Color at(int edge, double along) const {
     if (paint_.field == nullptr) return paint_.plain;
@@ -109,12 +110,12 @@ void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const st
   for (size_t i = 0; i + 1 < rings.size(); ++i) {
     const Ring& a = rings[i];
     const Vec3& end = rings[i + 1].centre;
-    const double middle = rings[i + 1].edge == a.edge && rings[i + 1].along > 0 ? (a.along + rings[i + 1].along) / 2
-                                                                                 : (a.along + 1) / 2;
+    const double middle =
+        rings[i + 1].edge == a.edge && rings[i + 1].along > 0 ? (a.along + rings[i + 1].along) / 2 : (a.along + 1) / 2;
     const Color color = painter.at(a.edge, middle);
     const double width = apparent_width(a, rod, end - a.centre, camera);
-    if (!run.empty() && (to_bytes(color) != to_bytes(run_color) || run_length > longest ||
-                         std::abs(width - run_width) > 0.3)) {
+    if (!run.empty() &&
+        (to_bytes(color) != to_bytes(run_color) || run_length > longest || std::abs(width - run_width) > 0.3)) {
       flush();
     }
     if (run.empty()) {

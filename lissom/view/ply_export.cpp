@@ -22,7 +22,8 @@ Result<std::string> ply_surfaces(const Drawing& drawing, const PlyOptions& optio
   const SurfaceMesh mesh = rod_surfaces(drawing, options.sides);
   std::string text = "ply\nformat ascii 1.0\ncomment surfaces of rods, millimetres\n";
   if (field != nullptr) text += "comment colours: " + printable(field->name) + "\n";
-  text += fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n", mesh.vertices.size());
+  text +=
+      fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n", mesh.vertices.size());
   if (field != nullptr) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   text += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.triangles.size());
   for (size_t i = 0; i < mesh.vertices.size(); ++i) {

@@ -1,10 +1,8 @@
-#include "lissom/view/vtk_export.h"
-
+#include <cmath>
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "lissom/view/text.h"
+#include "lissom/view/vtk_export.h"
 
 namespace lissom {
 

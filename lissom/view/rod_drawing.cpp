@@ -1,8 +1,7 @@
 #include "lissom/view/rod_drawing.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "lissom/model/structure.h"
@@ -112,7 +111,8 @@ Status check_drawing(const Drawing& drawing) {
                  fmt::format("has {} values where the rods have {}", field.values.size(), expected));
     }
     for (double v : field.values) {
-      if (std::isinf(v)) return bad(ErrorCode::kRange, fmt::format("field \"{}\"", field.name), "has an infinite value");
+      if (std::isinf(v))
+        return bad(ErrorCode::kRange, fmt::format("field \"{}\"", field.name), "has an infinite value");
     }
   }
   for (const Marker& marker : drawing.markers) {

@@ -1,8 +1,7 @@
 #include "lissom/view/surface_mesh.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "lissom/view/tube.h"
 
@@ -15,8 +14,11 @@ enum class Facing { kOutwards, kInwards };
 class Skinner {
  public:
   Skinner(SurfaceMesh& mesh, const RodStrip& rod, int sides, int first_point)
-      : mesh_(mesh), rod_(rod), outline_(section_outline(rod.shape, sides)),
-        rings_(tube_rings(rod, std::vector<int>(rod.b.size(), 1))), first_point_(first_point) {
+      : mesh_(mesh),
+        rod_(rod),
+        outline_(section_outline(rod.shape, sides)),
+        rings_(tube_rings(rod, std::vector<int>(rod.b.size(), 1))),
+        first_point_(first_point) {
     if (rod.closed) {
       reversed_ = rings_.back().n.dot(rings_.front().n) < 0;
       rings_.pop_back();
@@ -25,10 +27,10 @@ class Skinner {
 
   void run() {
     const int outer = add_vertices(false);
-    const bool hollow = rod_.shape == SectionShape::kTube &&
-                        std::all_of(rings_.begin(), rings_.end(), [](const Ring& ring) {
-                          return ring.wall > 0 && ring.wall < std::min(ring.r_b, ring.r_n);
-                        });
+    const bool hollow =
+        rod_.shape == SectionShape::kTube && std::all_of(rings_.begin(), rings_.end(), [](const Ring& ring) {
+          return ring.wall > 0 && ring.wall < std::min(ring.r_b, ring.r_n);
+        });
     add_walls(outer, Facing::kOutwards);
     const int inner = hollow ? add_vertices(true) : outer;
     if (hollow) add_walls(inner, Facing::kInwards);

@@ -1,17 +1,17 @@
 #include "lissom/view/svg_compact.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 
 namespace lissom {
 namespace {
 
 // stroke-linecap and stroke-linejoin keep their values: only butt and miter are defaults, and miter is never used.
-constexpr std::string_view kDefaults[] = {" fill-rule:nonzero;", "fill-rule:nonzero;",   "fill-opacity:1;",      "stroke:none;",
-                                          "stroke-opacity:1;",   "stroke-miterlimit:10;", "stroke-linecap:butt;"};
+constexpr std::string_view kDefaults[] = {" fill-rule:nonzero;", "fill-rule:nonzero;", "fill-opacity:1;",
+                                          "stroke:none;",        "stroke-opacity:1;",  "stroke-miterlimit:10;",
+                                          "stroke-linecap:butt;"};
 
 /// "rgb(10%,20%,30%)" at the front of `text` as "#1a334d"; `used` is its length.
 std::optional<std::string> short_color(std::string_view text, size_t& used) {

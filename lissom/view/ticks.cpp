@@ -1,9 +1,8 @@
 #include "lissom/view/ticks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace lissom {
 namespace {

@@ -16,11 +16,11 @@ Vec3 unit_or(const Vec3& v, const Vec3& fallback) {
 
 /// Strip with what the rings need per edge and per point.
 struct Spine {
-  std::vector<Vec3> t;                // unit, per edge
-  std::vector<double> length;         // m, per edge
-  std::vector<double> sign;           // +-1 per edge: frames continue without half turns
-  std::vector<Vec3> slope0, slope1;   // derivative of the curve at both ends of each edge, times its length
-  bool reversed = false;              // closed strip whose frames come back after a half turn
+  std::vector<Vec3> t;               // unit, per edge
+  std::vector<double> length;        // m, per edge
+  std::vector<double> sign;          // +-1 per edge: frames continue without half turns
+  std::vector<Vec3> slope0, slope1;  // derivative of the curve at both ends of each edge, times its length
+  bool reversed = false;             // closed strip whose frames come back after a half turn
 };
 
 Spine make_spine(const RodStrip& s) {
@@ -77,7 +77,8 @@ Ring inner_ring(const RodStrip& s, const Spine& spine, int e, double u, const Ri
   const double v = 1 - u;
   ring.centre = p0 * (v * v * (1 + 2 * u)) + p1 * (u * u * (1 + 2 * v)) + spine.slope0[e] * (u * v * v) -
                 spine.slope1[e] * (u * u * v);
-  const Vec3 velocity = (p1 - p0) * (6 * u * v) + spine.slope0[e] * (v * (1 - 3 * u)) + spine.slope1[e] * (u * (1 - 3 * v));
+  const Vec3 velocity =
+      (p1 - p0) * (6 * u * v) + spine.slope0[e] * (v * (1 - 3 * u)) + spine.slope1[e] * (u * (1 - 3 * v));
   const Vec3 own = spine.sign[e] * s.n[e];
   const bool first_half = u < 0.5;
   const double w = first_half ? 2 * u : 2 - 2 * u;  // 0 at the near end, 1 in the middle of the edge

@@ -1,9 +1,8 @@
 #include "lissom/view/vtk_writer.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <cstring>
+#include <fmt/format.h>
 #include <vector>
 
 #include "lissom/view/text.h"
@@ -66,8 +65,8 @@ std::string base64(std::span<const uint8_t> bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (size_t i = 0; i < bytes.size(); i += 3) {
     const size_t left = bytes.size() - i;
-    const uint32_t word = static_cast<uint32_t>(bytes[i]) << 16 | (left > 1 ? static_cast<uint32_t>(bytes[i + 1]) << 8 : 0) |
-                          (left > 2 ? bytes[i + 2] : 0u);
+    const uint32_t word = static_cast<uint32_t>(bytes[i]) << 16 |
+                          (left > 1 ? static_cast<uint32_t>(bytes[i + 1]) << 8 : 0) | (left > 2 ? bytes[i + 2] : 0u);
     text += kLetters[word >> 18];
     text += kLetters[word >> 12 & 63];
     text += left > 1 ? kLetters[word >> 6 & 63] : '=';

@@ -1,10 +1,9 @@
-#include "lissom/view/vtk_export.h"
-#include "lissom/view/vtk_names.h"
-#include "lissom/view/vtk_writer.h"
-
 #include <fmt/format.h>
 
 #include "lissom/view/tube.h"
+#include "lissom/view/vtk_export.h"
+#include "lissom/view/vtk_names.h"
+#include "lissom/view/vtk_writer.h"
 
 namespace lissom {
 

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
+
 #include "lissom/view/vtk_export.h"
 #include "lissom/view/vtk_names.h"
 #include "lissom/view/vtk_writer.h"
-
-#include <fmt/format.h>
 
 namespace lissom {
 

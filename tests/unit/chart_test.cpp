@@ -1,8 +1,7 @@
 #include "lissom/view/chart.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace lissom {
 namespace {
@@ -12,8 +11,9 @@ Chart sample() {
   chart.title = "Load <path> & more";
   chart.x = {.label = "deflection", .unit = "mm", .display_scale = 1000};
   chart.y = {.label = "load", .unit = "N"};
-  chart.series = {{.name = "computed", .x = {0, 0.001, 0.002}, .y = {0, 1, 1.5}},
-                  {.name = "measured", .x = {0, 0.001, 0.002}, .y = {0.1, 1.1, 1.4}, .style = ChartSeries::Style::kPoints}};
+  chart.series = {
+      {.name = "computed", .x = {0, 0.001, 0.002}, .y = {0, 1, 1.5}},
+      {.name = "measured", .x = {0, 0.001, 0.002}, .y = {0.1, 1.1, 1.4}, .style = ChartSeries::Style::kPoints}};
   chart.guides = {{ChartGuide::Direction::kHorizontal, 1.2, "critical"}};
   return chart;
 }

@@ -1,8 +1,7 @@
 #include "lissom/view/color_map.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "lissom/view/ticks.h"

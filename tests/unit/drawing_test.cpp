@@ -1,16 +1,14 @@
-#include "lissom/view/rod_drawing.h"
-
-#include <gtest/gtest.h>
-
 #include <chrono>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "lissom/model/structure.h"
 #include "lissom/view/picture.h"
+#include "lissom/view/rod_drawing.h"
 #include "lissom/view/svg_compact.h"
 #include "lissom/view/text.h"
 #include "lissom/view/tube.h"
-#include "view_samples.h"
+#include "tests/unit/view_samples.h"
 
 namespace lissom {
 namespace {
@@ -50,7 +48,8 @@ TEST(Drawing, FollowsTheStructure) {
   EXPECT_EQ(drawing.rods[0].r_b[0], 0.3);
   EXPECT_EQ(drawing.rods[1].wall[0], 0.004);
   EXPECT_TRUE(drawing.rods[0].wall.empty());
-  EXPECT_EQ(field_values(structure, Field::Place::kNode, std::vector<double>{1, 2, 3}), (std::vector<double>{1, 2, 3, 1}));
+  EXPECT_EQ(field_values(structure, Field::Place::kNode, std::vector<double>{1, 2, 3}),
+            (std::vector<double>{1, 2, 3, 1}));
   EXPECT_EQ(field_values(structure, Field::Place::kEdge, std::vector<double>{1, 2}), (std::vector<double>{2, 1}));
   EXPECT_TRUE(check_drawing(drawing).ok());
 }
@@ -99,7 +98,8 @@ TEST(Camera, FitsAndPointsUp) {
 }
 
 TEST(Picture, SameBytesEveryTime) {
-  const std::vector<Panel> panels = {panel(samples::beam_and_ring()), panel(samples::beam_and_ring(), Layer::Style::kGhost)};
+  const std::vector<Panel> panels = {panel(samples::beam_and_ring()),
+                                     panel(samples::beam_and_ring(), Layer::Style::kGhost)};
   PictureOptions options{.width = 400, .height = 300, .title = "Beam & ring", .field = "axial force", .range = {}};
   for (ImageFormat format : {ImageFormat::kPng, ImageFormat::kSvg}) {
     const Result<std::string> first = draw_picture(panels, options, format);
@@ -214,7 +214,8 @@ TEST(Picture, ErrorsSayWhatIsWrong) {
   drawing.rods[0].r_n[1] = 0;
   EXPECT_NE(error({panel(drawing)}, options).find("rod \"beam\": the section of edge 1"), std::string::npos);
   options.field = "strain";
-  EXPECT_NE(error({panel(samples::beam_and_ring())}, options).find("known fields: axial force, bending"), std::string::npos);
+  EXPECT_NE(error({panel(samples::beam_and_ring())}, options).find("known fields: axial force, bending"),
+            std::string::npos);
   options.field.clear();
   options.width = 0;
   EXPECT_NE(error({panel(samples::beam_and_ring())}, options).find("0 x 200"), std::string::npos);
@@ -224,8 +225,14 @@ TEST(Picture, ErrorsSayWhatIsWrong) {
 }
 
 TEST(Text, BrokenNamesBecomePrintable) {
-  EXPECT_EQ(printable("a\xff\xc3(b\n\xe2\x82\xac"), "a?" "?(b?\xe2\x82\xac");
-  EXPECT_EQ(printable("\xed\xa0\x80\xf0\x9f\x98\x80\xc0\xaf"), "?" "?" "?\xf0\x9f\x98\x80?" "?");
+  EXPECT_EQ(printable("a\xff\xc3(b\n\xe2\x82\xac"),
+            "a?"
+            "?(b?\xe2\x82\xac");
+  EXPECT_EQ(printable("\xed\xa0\x80\xf0\x9f\x98\x80\xc0\xaf"),
+            "?"
+            "?"
+            "?\xf0\x9f\x98\x80?"
+            "?");
   EXPECT_EQ(xml_escaped("<a & \"b\">"), "&lt;a &amp; &quot;b&quot;&gt;");
   EXPECT_EQ(compact_svg("fill:rgb(100%,0%,50.2%);fill-opacity:1;x=\"surface12\""), "fill:#ff0080;x=\"surface\"");
 }

@@ -1,13 +1,12 @@
 #include "lissom/view/mesh_export.h"
 
 #include <gtest/gtest.h>
-
 #include <map>
 #include <numbers>
 #include <sstream>
 
 #include "lissom/view/surface_mesh.h"
-#include "view_samples.h"
+#include "tests/unit/view_samples.h"
 
 namespace lissom {
 namespace {
@@ -16,7 +15,8 @@ using std::numbers::pi;
 
 double volume(const SurfaceMesh& mesh) {
   double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles) sum += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
   return sum;
 }
 
@@ -40,7 +40,8 @@ TEST(SurfaceMesh, StraightRodsHaveTheVolumeOfTheirSection) {
   const SurfaceMesh ellipse = rod_surfaces({.rods = {samples::straight(length, 4, r_n, r_b)}}, 32);
   EXPECT_TRUE(closed(ellipse));
   EXPECT_NEAR(volume(ellipse), polygon_factor(32) * r_n * r_b * length, 1e-15);
-  const SurfaceMesh lath = rod_surfaces({.rods = {samples::straight(length, 4, r_n, r_b, SectionShape::kRectangle)}}, 32);
+  const SurfaceMesh lath =
+      rod_surfaces({.rods = {samples::straight(length, 4, r_n, r_b, SectionShape::kRectangle)}}, 32);
   EXPECT_TRUE(closed(lath));
   EXPECT_NEAR(volume(lath), 4 * r_n * r_b * length, 1e-15);
   RodStrip tube = samples::straight(length, 4, r_b, r_b, SectionShape::kTube);
@@ -71,8 +72,8 @@ TEST(SurfaceMesh, MoebiusBandCloses) {
 }
 
 TEST(SurfaceMesh, KinkKeepsTheWidth) {
-  const RodStrip rod = samples::strip("corner", {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}}, 0.002, 0.002,
-                                      SectionShape::kRectangle);
+  const RodStrip rod =
+      samples::strip("corner", {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}}, 0.002, 0.002, SectionShape::kRectangle);
   const SurfaceMesh mesh = rod_surfaces({.rods = {rod}}, 4);
   EXPECT_TRUE(closed(mesh));
   EXPECT_NEAR(volume(mesh), 0.004 * 0.004 * 0.2, 1e-12);

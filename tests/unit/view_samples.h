@@ -48,8 +48,13 @@ inline RodStrip circle(double radius, int edges, double r, SectionShape shape = 
 }
 
 inline Field edge_field(std::string name, std::vector<double> values) {
-  return {.name = std::move(name), .unit = "N", .display_unit = "N", .display_scale = 1, .place = Field::Place::kEdge,
-          .colors = Field::Colors::kDiverging, .values = std::move(values)};
+  return {.name = std::move(name),
+          .unit = "N",
+          .display_unit = "N",
+          .display_scale = 1,
+          .place = Field::Place::kEdge,
+          .colors = Field::Colors::kDiverging,
+          .values = std::move(values)};
 }
 
 /// A beam with awkward numbers and a ring, one field per edge (with a missing value) and one per node.
@@ -57,8 +62,12 @@ inline Drawing beam_and_ring() {
   Drawing drawing;
   drawing.rods = {straight(0.1, 3, 0.001, 0.002), circle(0.03, 5, 0.0015)};
   drawing.fields = {edge_field("axial force", {1.0 / 3, -2e-300, std::nan(""), 4.25, -0.0, 1e10, 7, -8.125}),
-                    {.name = "bending <moment>", .unit = "N m", .display_unit = "N mm", .display_scale = 1000,
-                     .place = Field::Place::kNode, .colors = Field::Colors::kSequential,
+                    {.name = "bending <moment>",
+                     .unit = "N m",
+                     .display_unit = "N mm",
+                     .display_scale = 1000,
+                     .place = Field::Place::kNode,
+                     .colors = Field::Colors::kSequential,
                      .values = {0.1, 0.2, 0.3, 0.4, 1.1, 1.2, 1.3, 1.4, 1.5}}};
   return drawing;
 }

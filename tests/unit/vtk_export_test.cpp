@@ -1,15 +1,14 @@
 #include "lissom/view/vtk_export.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <sstream>
 
 #include "lissom/view/vtk_writer.h"
-#include "view_samples.h"
+#include "tests/unit/view_samples.h"
 
 namespace lissom {
 namespace {
