@@ -1,0 +1,53 @@
+#pragma once
+/// Pictures of structures without a display: SVG and PNG from one drawing code. Same input, same bytes.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lissom/core/result.h"
+#include "lissom/view/camera.h"
+#include "lissom/view/canvas.h"
+#include "lissom/view/rod_drawing.h"
+#include "lissom/view/theme.h"
+
+namespace lissom {
+
+/// One state of the structure within a panel.
+struct Layer {
+  enum class Style {
+    kSolid,   ///< true sections, shaded, coloured by the field
+    kGhost,   ///< true sections, light grey, behind everything solid
+    kDashed,  ///< dashed centrelines, behind everything solid
+  };
+  Drawing drawing;
+  Style style = Style::kSolid;
+};
+
+struct Panel {
+  std::vector<Layer> layers;
+  std::string caption;
+};
+
+enum class Visibility { kShown, kHidden };
+
+struct PictureOptions {
+  int width = 1600, height = 1200;  ///< px
+  Theme theme = Theme::kLight;
+  Viewpoint view = Viewpoint::iso();
+  std::string title;
+  std::string field;                ///< name of the field that colours solid layers; empty: plain
+  std::optional<ColorRange> range;  ///< as stored (SI); absent: fits all panels
+  int columns = 0;                  ///< of panels; 0: one row up to four panels, then as square as possible
+  Visibility supports = Visibility::kShown;
+  Visibility forces = Visibility::kShown;
+  Visibility ruler = Visibility::kShown;
+  Visibility axes = Visibility::kShown;
+  Visibility shadow = Visibility::kHidden;  ///< on the ground below the lowest point
+};
+
+/// Draws all panels with one camera and one scale, so that they can be compared. Rods thinner than a pixel are drawn
+/// one pixel wide. Errors: nothing to draw, non-finite shapes (names the rod), unknown field, impossible size.
+Result<std::string> draw_picture(const std::vector<Panel>& panels, const PictureOptions& options, ImageFormat format);
+
+}  // namespace lissom

@@ -1,0 +1,89 @@
+#include "lissom/view/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lissom {
+
+namespace {
+
+constexpr double kSeam = 0.3;  // px; neighbouring faces overlap, or antialiasing would show the page between them
+
+/// Convex polygon with its edges moved outwards (bevelled at sharp corners), px.
+void widen(std::span<const Vec2> points, std::vector<Vec2>& widened) {
+  const size_t count = points.size();
+  double area = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const Vec2& p = points[i];
+    const Vec2& q = points[(i + 1) % count];
+    area += p.x() * q.y() - p.y() * q.x();
+  }
+  const double side = area > 0 ? kSeam : -kSeam;
+  widened.assign(points.begin(), points.end());
+  for (size_t i = 0; i < count; ++i) {
+    const Vec2 d = points[(i + 1) % count] - points[i];
+    const double length = d.norm();
+    if (length < 1e-9) continue;
+    const Vec2 out = Vec2(d.y(), -d.x()) * (side / length);
+    widened[i] += out;
+    widened[(i + 1) % count] += out;
+  }
+}
+
+}  // namespace
+
+Color Scene::lit(const Color& color, const Vec3& normal, double contrast) const {
+  const Vec3 n(normal.dot(camera_.right()), normal.dot(camera_.up()), normal.dot(camera_.towards()));
+  const Vec3 light = Vec3(-0.42, 0.58, 0.70).normalized();
+  const Vec3 half = (light + Vec3::UnitZ()).normalized();
+  const double lambert = std::max(0.0, n.dot(light));
+  const double shade = 0.50 + 0.12 * (0.5 + 0.5 * n.y()) + 0.46 * lambert;
+  const double gloss = 0.30 * std::pow(std::max(0.0, n.dot(half)), 30);
+  const Color full = mix({color.r * shade, color.g * shade, color.b * shade}, {1, 1, 1}, gloss);
+  const Color result = mix(color, full, contrast);
+  return {std::min(1.0, result.r), std::min(1.0, result.g), std::min(1.0, result.b)};
+}
+
+Vec3 Scene::placed(const Vec3& point) const { return ground_ ? Vec3(point.x(), point.y(), *ground_) : point; }
+
+void Scene::add_face(std::span<const Vec3> points, const Color& color, double contrast) {
+  Vec3 centre = Vec3::Zero(), area = Vec3::Zero();
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = placed(points[i]), first = placed(points[0]);
+    centre += p;
+    area += (p - first).cross(placed(points[(i + 1) % points.size()]) - first);
+  }
+  centre /= static_cast<double>(points.size());
+  const double size = area.norm();
+  if (size == 0 || area.dot(camera_.towards_eye(centre)) <= 0) return;
+  pieces_.push_back({camera_.depth(centre), points_.size(), static_cast<int>(points.size()),
+                     ground_ ? shade_ : lit(color, area / size, contrast), 0});
+  for (const Vec3& p : points) points_.push_back(camera_.project(placed(p)));
+}
+
+void Scene::add_line(std::span<const Vec3> points, const Color& color, double width) {
+  double depth = 0;
+  for (const Vec3& p : points) depth += camera_.depth(p);
+  pieces_.push_back({depth / static_cast<double>(points.size()), points_.size(), static_cast<int>(points.size()),
+                     ground_ ? shade_ : color, width});
+  for (const Vec3& p : points) points_.push_back(camera_.project(placed(p)));
+}
+
+void Scene::paint(Canvas& canvas) const {
+  std::vector<const Piece*> order;
+  order.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) order.push_back(&piece);
+  std::stable_sort(order.begin(), order.end(), [](const Piece* a, const Piece* b) { return a->depth < b->depth; });
+  std::vector<Vec2> face;
+  for (const Piece* piece : order) {
+    const std::span<const Vec2> points(points_.data() + piece->first, piece->count);
+    if (piece->width > 0) {
+      canvas.polyline(points, {.color = piece->color, .width = piece->width});
+    } else {
+      widen(points, face);
+      canvas.polygon(face, piece->color);
+    }
+  }
+}
+
+}  // namespace lissom

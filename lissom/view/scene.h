@@ -1,0 +1,50 @@
+#pragma once
+/// Pieces of a picture sorted by depth and painted from back to front, with light.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lissom/view/camera.h"
+#include "lissom/view/canvas.h"
+
+namespace lissom {
+
+class Scene {
+ public:
+  explicit Scene(const Camera& camera) : camera_(camera) {}
+
+  /// Everything is projected down on the plane z = `ground` (m) and painted in `color`: a shadow.
+  Scene(const Camera& camera, double ground, const Color& color) : camera_(camera), ground_(ground), shade_(color) {}
+
+  /// A flat face (counter-clockwise seen from outside), m. Dropped when it faces away. `contrast` 1: full shading.
+  void add_face(std::span<const Vec3> points, const Color& color, double contrast = 1);
+
+  /// A line of constant page width (px) through points in space.
+  void add_line(std::span<const Vec3> points, const Color& color, double width);
+
+  void paint(Canvas& canvas) const;
+
+  size_t size() const { return pieces_.size(); }
+
+ private:
+  struct Piece {
+    double depth;  // m, larger is nearer
+    size_t first;  // in points_
+    int count;
+    Color color;
+    double width;  // px; 0: face
+  };
+
+  Color lit(const Color& color, const Vec3& normal, double contrast) const;
+
+  Vec3 placed(const Vec3& point) const;
+
+  const Camera& camera_;
+  std::optional<double> ground_;
+  Color shade_;
+  std::vector<Piece> pieces_;
+  std::vector<Vec2> points_;
+};
+
+}  // namespace lissom
