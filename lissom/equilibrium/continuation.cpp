@@ -16,7 +16,7 @@ namespace {
 class PathFollower {
  public:
   PathFollower(const StaticProblem& problem, const LoadPath& path, const PathOptions& options, const Context& context)
-      : problem_(problem), path_(path), options_(options), context_(context), workspace_(problem, context),
+      : problem_(problem), path_(path), options_(options), context_(context), workspace_(problem, context, FactorKind::kLdl),
         tolerance_(std::max(options.solve.tolerance * problem.scales.force, 2 * problem.scales.rounding)) {}
 
   PathResult run(const State& start);
@@ -77,12 +77,11 @@ PathResult PathFollower::run(const State& start) {
   if (!state.q.allFinite() || !std::isfinite(workspace_.energy(state))) {
     return end(PathEnd::kBadStart, "the start shape has no finite energy");
   }
-  if (move_to_load(workspace_, state, path_.from, options_.solve) < 0) {
+  std::vector<IterationRecord> records;
+  if (move_to_load(workspace_, state, path_.from, tolerance_, options_.solve, records) < 0) {
     return end(PathEnd::kBadStart, "the prescribed places at the start of the path cannot be reached");
   }
-  state.load_factor = path_.from;
   // A path starts in a stable shape if there is one near; the branch is then followed wherever it leads.
-  std::vector<IterationRecord> records;
   const Descent descent =
       minimize(workspace_, state, tolerance_, options_.solve, options_.solve.max_iterations, records);
   if (descent.verdict != Verdict::kStable) {
@@ -159,9 +158,8 @@ bool PathFollower::leave_on_branch(const CriticalPoint& point, double towards, S
     State sideways;
     const VecX step = (size / std::max(turn, 1e-300)) * point.mode.shape;
     if (!advance(system, point.state, step, sideways)) continue;
-    if (move_to_load(workspace_, sideways, towards, options_.solve) < 0) continue;
-    sideways.load_factor = towards;
     std::vector<IterationRecord> records;
+    if (move_to_load(workspace_, sideways, towards, tolerance_, options_.solve, records) < 0) continue;
     const Descent descent =
         minimize(workspace_, sideways, tolerance_, options_.solve, options_.solve.max_iterations, records);
     if (descent.verdict != Verdict::kStable) continue;

@@ -6,26 +6,12 @@
 
 #include "lissom/equilibrium/frame_relaxation.h"
 #include "lissom/equilibrium/shift.h"
+#include "lissom/equilibrium/step_limits.h"
 #include "lissom/equilibrium/step_path.h"
 
 namespace lissom {
 
 namespace {
-
-/// Largest change of a roll or of a component of a joint rotation, rad.
-double largest_roll(const System& system, const VecX& dq) {
-  const int first = 3 * system.layout.nodes();
-  return first < dq.size() ? dq.tail(dq.size() - first).cwiseAbs().maxCoeff() : 0;
-}
-
-/// Fraction of a step at which the first limit is met, at most `most`.
-double reach_of(const System& system, const State& state, const VecX& d, const SolveOptions& options, double most) {
-  double reach = most;
-  const double turn = largest_turn(system, state, d), roll = largest_roll(system, d);
-  if (turn * reach > options.max_turn) reach = options.max_turn / turn;
-  if (roll * reach > options.max_roll) reach = options.max_roll / roll;
-  return reach;
-}
 
 constexpr double kArmijo = 1e-4;
 constexpr double kEnergyNoise = 1e-13;  // of the energy: differences below it are rounding
@@ -145,7 +131,7 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
     workspace_.multiply_free(free_, image_);
     const double curvature = free_.dot(image_);
     workspace_.to_increment(free_, step_);
-    const double reach = reach_of(workspace_.system(), state_, step_, options_, 1);
+    const double reach = step_reach(workspace_.system(), state_, step_, options_);
     path_.begin(state_, step_, reach);
     const bool moved = line_search(slope, curvature, reach);
     if (!moved) {
@@ -199,52 +185,6 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
 Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
                  int max_iterations, std::vector<IterationRecord>& records) {
   return Minimization(workspace, state, options).run(tolerance, max_iterations, records);
-}
-
-int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, const SolveOptions& options) {
-  const StaticProblem& problem = workspace.problem();
-  const System& system = workspace.system();
-  ShiftPolicy shift(options.shift);
-  StepPathPolicy path(workspace, options.path == StepPath::kStraight || options.path == StepPath::kSecondOrder
-                                     ? StepPath::kStraight
-                                     : StepPath::kRotating);
-  State moved;
-  VecX local, free, image;
-  for (int step = 0; step < 1000; ++step) {
-    VecX prescribed = problem.supports.prescribed_increment(system, state, load_factor);
-    const double farthest = prescribed.cwiseAbs().maxCoeff();
-    if (farthest < 1e-13 * std::max(1.0, problem.scales.length)) {
-      state.load_factor = load_factor;
-      return step;
-    }
-    // The free unknowns follow as the tangent predicts: H_ff d_f = -H_fp d_p.
-    workspace.assemble(state);
-    if (!shift.factorize(workspace)) return -1;
-    local = prescribed;
-    problem.potential.to_local(local);
-    multiply(problem.potential.pattern(), workspace.hessian(), local, image);
-    problem.supports.restrict(image, free);
-    free = -free;
-    workspace.factor().solve(free, free);
-    VecX d;
-    workspace.to_increment(free, d);
-    d += prescribed;
-    double a = reach_of(system, state, d, options, 1);
-    path.begin(state, d, a);
-    bool done = false;
-    for (int halving = 0; halving < 30 && !done; ++halving, a *= done ? 1 : 0.5) {
-      // Prescribed places are exact on any path: the fit holds them.
-      done = path.at(a, moved) && std::isfinite(workspace.energy(moved));
-      if (done) break;
-    }
-    if (!done) return -1;
-    moved.load_factor = state.load_factor + a * (load_factor - state.load_factor);
-    if (a == 1) moved.load_factor = load_factor;
-    std::swap(state, moved);
-    shift.learn(workspace);
-    if (workspace.context().cancelled()) return step + 1;
-  }
-  return -1;
 }
 
 }  // namespace lissom

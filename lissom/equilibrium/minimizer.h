@@ -18,8 +18,10 @@ struct Descent {
 Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
                  int max_iterations, std::vector<IterationRecord>& records);
 
-/// Brings prescribed unknowns and loads of `state` to `load_factor` by linear prediction, in as many steps as the limits
-/// on turns ask for. Returns the number of steps, or -1 when it cannot.
-int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, const SolveOptions& options);
+/// Brings prescribed unknowns and loads of `state` to `load_factor`: steps of linear prediction, small enough in turns and
+/// strains that the structure can follow, each but the last one relaxed roughly. Returns the number of iterations, or -1
+/// when it cannot go on. Loads alone are set at once.
+int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, double tolerance,
+                 const SolveOptions& options, std::vector<IterationRecord>& records);
 
 }  // namespace lissom

@@ -5,8 +5,10 @@
 
 namespace lissom {
 
-NewtonWorkspace::NewtonWorkspace(const StaticProblem& problem, const Context& context)
-    : problem_(problem), context_(context), factor_(problem.potential.pattern(), problem.supports.kept()) {
+NewtonWorkspace::NewtonWorkspace(const StaticProblem& problem, const Context& context, FactorKind kind)
+    : problem_(problem),
+      context_(context),
+      factor_(problem.potential.pattern(), problem.supports.kept(), {.kind = kind}) {
   const std::span<const int> kept = problem.supports.kept();
   class_of_.reserve(problem.supports.unknowns());
   for (int i = 0; i < static_cast<int>(kept.size()); ++i) {

@@ -11,7 +11,8 @@ namespace lissom {
 
 class NewtonWorkspace {
  public:
-  NewtonWorkspace(const StaticProblem& problem, const Context& context);
+  /// Path following needs LDL', which factors indefinite matrices too.
+  NewtonWorkspace(const StaticProblem& problem, const Context& context, FactorKind kind = FactorKind::kBest);
 
   const StaticProblem& problem() const { return problem_; }
   const System& system() const { return *problem_.system; }

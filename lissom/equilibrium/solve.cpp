@@ -71,9 +71,9 @@ Equilibrium solve(const StaticProblem& problem, const State& start, double load_
     return std::move(result);
   };
   if (!start.q.allFinite()) return finish(Verdict::kBadStart);
-  const int moves = move_to_load(workspace, result.state, load_factor, options);
-  result.state.load_factor = load_factor;
+  const int moves = move_to_load(workspace, result.state, load_factor, result.tolerance, options, result.records);
   if (moves < 0) return finish(Verdict::kStalled);
+  if (context.cancelled()) return finish(Verdict::kCancelled);
   result.iterations = moves;
 
   for (int escapes = 0;; ++escapes) {
