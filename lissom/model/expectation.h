@@ -10,15 +10,6 @@
 
 namespace lissom {
 
-/// What is made of several measurements of one quantity [docs/guide/quantities.md].
-enum class Combine {
-  kNone,        ///< one value per pose
-  kDifference,  ///< `at` minus `to`, or first pose minus second
-  kRatio,       ///< `at` over `to`, or first pose over second
-  kOrder,       ///< order of convergence over `edges`
-  kLimit,       ///< extrapolated over `edges`
-};
-
 /// `quantity` names an entry of the list in session/quantities.cpp; which of the other fields it reads is stated there.
 struct Expectation {
   std::string label;                  ///< free text, printed
@@ -31,8 +22,8 @@ struct Expectation {
   double fraction = -1;               ///< place along the rod, of its rest length
   int mode = -1;                      ///< index of a mode, 0 = lowest
   std::string mode_kind;              ///< "bending", "axial", "torsional": which modes are counted
-  std::vector<int> edges;             ///< numbers of edges of `rod` (else of the first rod) at which it is measured
-  Combine combine = Combine::kNone;
+  std::string combine;                ///< what is made of several measurements: "difference", "ratio", "order", "limit"
+  std::vector<int> edges;             ///< resolutions: numbers of edges of `rod`, else of the first rod
   double scale = 1;                   ///< the measured value is divided by this (SI) before it is compared: L, B/L^2, ...
   double offset = 0;                  ///< and this (SI) is subtracted first
   std::vector<double> value;          ///< SI after scaling; one per pose, or one for all
