@@ -22,7 +22,8 @@ struct Expectation {
   double fraction = -1;               ///< place along the rod, of its rest length
   int mode = -1;                      ///< index of a mode, 0 = lowest
   std::string mode_kind;              ///< "bending", "axial", "torsional": which modes are counted
-  std::vector<int> edges;             ///< resolutions for convergence orders and extrapolated values
+  std::string combine;                ///< what is made of several measurements: "difference", "ratio", "order", "limit"
+  std::vector<int> edges;             ///< resolutions: numbers of edges of `rod`, else of the first rod
   double scale = 1;                   ///< the measured value is divided by this (SI) before it is compared: L, B/L^2, ...
   double offset = 0;                  ///< and this (SI) is subtracted first
   std::vector<double> value;          ///< SI after scaling; one per pose, or one for all

@@ -1,0 +1,24 @@
+#pragma once
+/// What every command of the tool has: arguments to declare and something to run.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace lissom::cli {
+
+/// Runs the command that was typed and returns the exit code.
+using Runner = std::function<int()>;
+
+/// Declares a command and its arguments; when it is typed, `chosen` becomes what runs it.
+using AddCommand = void (*)(CLI::App& app, Runner& chosen);
+
+void add_solve(CLI::App& app, Runner& chosen);
+void add_verify(CLI::App& app, Runner& chosen);
+
+/// Exit codes besides those of verdicts.
+enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kFileTrouble = 4 };
+
+/// "Exit codes: ...", for the help.
+const char* exit_codes_text();
+
+}  // namespace lissom::cli

@@ -1,0 +1,87 @@
+#include "lissom/session/command_solve.h"
+
+#include <algorithm>
+
+#include "lissom/core/nearest_name.h"
+#include "lissom/equilibrium/solve.h"
+#include "lissom/session/fields.h"
+#include "lissom/session/output.h"
+#include "lissom/session/pose_files.h"
+#include "lissom/view/picture.h"
+#include "lissom/view/vtk_export.h"
+
+namespace lissom {
+
+namespace {
+
+Status write_pose(const Document& document, const Pose& pose, const System& system, const std::string& stem,
+                  const SolveCommand& command, SolvedPose& solved, Output& output) {
+  const Equilibrium& e = solved.equilibrium;
+  if (const Status s = output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e)); !s) return s;
+  if (e.verdict == Verdict::kBadStart) return {};
+  const FieldSource source{document.model, system, e.state, &e.reaction};
+  Result<Drawing> drawing = draw_state(source, &pose);
+  if (!drawing) return drawing.error();
+  solved.largest_displacement = 0;
+  for (int i = 0; i < system.layout.nodes(); ++i) {
+    solved.largest_displacement =
+        std::max(solved.largest_displacement, (e.state.position(i) - system.structure.nodes[i]).norm());
+  }
+  const std::vector<double>& stress = drawing.value().field("stress")->values;
+  if (!stress.empty()) solved.largest_stress = *std::max_element(stress.begin(), stress.end());
+  if (command.vtu == ParaView::kYes) {
+    if (const Status s = output.write(stem + ".vtu", vtu_bytes(drawing.value())); !s) return s;
+  }
+  if (!command.picture) return {};
+  const PictureOptions options{.title = document.model.title.empty() ? document.name : document.model.title,
+                               .field = command.field};
+  const std::vector<Panel> panels{{{{draw_rest(system), Layer::Style::kGhost}, {drawing.value()}}, pose.name}};
+  return output.write(stem + (*command.picture == ImageFormat::kSvg ? ".svg" : ".png"),
+                      draw_picture(panels, options, *command.picture));
+}
+
+}  // namespace
+
+Result<std::vector<SolvedPose>> solve_command(const Document& document, const SolveCommand& command,
+                                              const Context& context) {
+  if (const Status s = command.options.validate(); !s) return s.error();
+  std::vector<std::string> wanted = command.poses;
+  if (command.resume && wanted.empty()) wanted = {command.resume->pose};
+  const Result<std::vector<int>> poses = pose_numbers(document.model, wanted);
+  if (!poses) return poses.error();
+  if (command.resume && poses.value().size() != 1) {
+    return Error{ErrorCode::kConflict, "--resume", "one pose can be resumed at a time", "name it with --pose"};
+  }
+  const Result<System> made = make_system(document.model);
+  if (!made) return made.error();
+  const System& system = made.value();
+  if (command.resume) {
+    if (const Status s = check_state(system, command.resume->state); !s) return s.error();
+  }
+  Output output(command.folder);
+  const std::vector<std::string> stems = pose_file_names(document);
+  std::vector<SolvedPose> results;
+  for (const int p : poses.value()) {
+    const Pose& pose = document.model.poses[p];
+    const Result<StaticProblem> problem = make_static_problem(document.model, system, pose, "/poses/" + std::to_string(p));
+    if (!problem) return problem.error();
+    SolvedPose solved;
+    solved.pose = pose.name;
+    solved.nodes = system.layout.nodes();
+    solved.unknowns = problem.value().supports.unknowns();
+    solved.notes = system.structure.notes;
+    solved.removed_motions = problem.value().supports.removed_motions();
+    const State start = command.resume ? command.resume->state : start_state(problem.value(), pose);
+    solved.equilibrium = solve(problem.value(), start, command.load_factor, command.options, context);
+    const size_t before = output.written().size();
+    const Status status = write_pose(document, pose, system, stems[p], command, solved, output);
+    if (!status) return status.error();
+    solved.files.assign(output.written().begin() + static_cast<std::ptrdiff_t>(before), output.written().end());
+    solved.summary = result_summary(pose, system, solved.removed_motions, solved.equilibrium, solved.files);
+    results.push_back(std::move(solved));
+    if (context.cancelled()) break;
+  }
+  return results;
+}
+
+}  // namespace lissom

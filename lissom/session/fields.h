@@ -1,0 +1,39 @@
+#pragma once
+/// Named fields of a state, for pictures and ParaView: the list is in fields.cpp.
+
+#include <span>
+#include <string_view>
+
+#include "lissom/equilibrium/static_problem.h"
+#include "lissom/model/model.h"
+#include "lissom/view/rod_drawing.h"
+
+namespace lissom {
+
+/// What fields are computed from. `reaction` (N, N m per unknown, global axes) may be null: no reactions.
+struct FieldSource {
+  const Model& model;
+  const System& system;
+  const State& state;
+  const VecX* reaction = nullptr;
+};
+
+struct FieldInfo {
+  std::string_view name;
+  std::string_view unit, display_unit;
+  double display_scale = 1;
+  Field::Place place = Field::Place::kEdge;
+  Field::Colors colors = Field::Colors::kSequential;
+  std::string_view description;
+  std::vector<double> (*values)(const FieldSource&);  ///< one per node or per edge of the structure
+};
+
+std::span<const FieldInfo> field_list();
+
+/// The structure in this state with every field and, unless `pose` is null, with its supports and forces.
+Result<Drawing> draw_state(const FieldSource& source, const Pose* pose);
+
+/// The drawn shape without fields, for comparison.
+Drawing draw_rest(const System& system);
+
+}  // namespace lissom

@@ -1,0 +1,31 @@
+#pragma once
+/// Where a command puts its files, and which it has written.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lissom/core/result.h"
+
+namespace lissom {
+
+class Output {
+ public:
+  /// The folder is made when the first file is written.
+  explicit Output(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<std::filesystem::path>& written() const { return written_; }
+
+  /// Replaces `name` in the folder as a whole or not at all.
+  Status write(const std::filesystem::path& name, std::string_view bytes);
+  /// The same for bytes that may not have come about.
+  Status write(const std::filesystem::path& name, const Result<std::string>& bytes);
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path> written_;
+};
+
+}  // namespace lissom
