@@ -70,7 +70,10 @@ File create_beside(const fs::path& path, fs::path& temporary) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
     temporary = path;
-    temporary.replace_filename("." + path.filename().string() + ".tmp" + std::to_string(i));
+    fs::path name = ".";
+    name += path.filename();
+    name += ".tmp" + std::to_string(i);
+    temporary.replace_filename(name);
     if (File file = open(temporary, Access::kCreate)) return file;
     if (errno != EEXIST) break;
   }
