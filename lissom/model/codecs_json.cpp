@@ -8,23 +8,27 @@
 namespace lissom {
 namespace {
 
-std::string limits_broken(double value, Limits limits, std::string_view what) {
-  const std::string subject = "this " + std::string(what);
+/// What a number of these limits has to be; empty when `value` is.
+std::string limits_broken(double value, Limits limits) {
   switch (limits.kind) {
     case Limits::Kind::kAny: return {};
-    case Limits::Kind::kPositive: return value > 0 ? "" : subject + " has to be positive";
-    case Limits::Kind::kNotNegative: return value >= 0 ? "" : subject + " must not be negative";
-    case Limits::Kind::kNotZero: return value != 0 ? "" : subject + " must not be zero";
+    case Limits::Kind::kPositive: return value > 0 ? "" : "has to be positive";
+    case Limits::Kind::kNotNegative: return value >= 0 ? "" : "must not be negative";
+    case Limits::Kind::kNotZero: return value != 0 ? "" : "must not be zero";
     case Limits::Kind::kBetween:
       if (value >= limits.low && value <= limits.high) return {};
-      return subject + " has to be between " + number_text(limits.low) + " and " + number_text(limits.high);
+      return "has to be between " + number_text(limits.low) + " and " + number_text(limits.high);
   }
   return {};
 }
 
 constexpr std::pair<std::string_view, int> kAxes[] = {{"x", 0}, {"y", 1}, {"z", 2}, {"-x", 3}, {"-y", 4}, {"-z", 5}};
 
-Vec3 axis(int index) { return index < 3 ? Vec3(Vec3::Unit(index)) : Vec3(-Vec3::Unit(index - 3)); }
+Vec3 axis(int index) {
+  Vec3 direction = Vec3::Zero();
+  direction[index % 3] = index < 3 ? 1 : -1;
+  return direction;
+}
 
 }  // namespace
 
@@ -47,7 +51,11 @@ void NumberOf::read(Reader& reader, const JsonValue& json, double& value) const 
     value = si.value();
   } else if (json.is(JsonValue::Kind::kString)) {
     const Result<Quantity> quantity = parse_quantity(json.text);
-    if (!quantity) return reader.fail(quantity.error());
+    if (!quantity) {
+      Error error = quantity.error();
+      if (error.code == ErrorCode::kType) error.hint = "write for example \"" + std::string(what.example) + "\"";
+      return reader.fail(std::move(error));
+    }
     if (!compatible(dimension(measure), quantity.value().unit.dimension)) {
       return reader.fail(wrong_dimension(measure, quantity.value().unit.dimension));
     }
@@ -55,8 +63,9 @@ void NumberOf::read(Reader& reader, const JsonValue& json, double& value) const 
   } else {
     return reader.fail_kind(std::string(what.article) + " such as \"" + std::string(what.example) + "\"", json);
   }
-  if (std::string broken = limits_broken(value, limits, what.name); !broken.empty()) {
-    reader.fail(ErrorCode::kRange, std::move(broken));
+  if (const std::string broken = limits_broken(value, limits); !broken.empty()) {
+    const std::string subject = measure == Measure::kRatio ? "number" : std::string(what.name);
+    reader.fail(ErrorCode::kRange, "this " + subject + " " + broken + ", not " + json.text);
   }
 }
 
@@ -82,9 +91,9 @@ JsonValue number_schema(Measure measure, Limits limits) {
 }
 
 JsonValue NumberOf::schema(Schema& schema) const {
-  std::string name(info(measure).key);
-  if (limits.kind == Limits::Kind::kPositive) name = "positive_" + name;
-  if (limits.kind == Limits::Kind::kNotNegative) name = "non_negative_" + name;
+  std::string name = "number_" + std::string(info(measure).key);
+  if (limits.kind == Limits::Kind::kPositive) name += "_positive";
+  if (limits.kind == Limits::Kind::kNotNegative) name += "_not_negative";
   if (limits.kind == Limits::Kind::kBetween) {
     name += "_from_" + number_text(limits.low) + "_to_" + number_text(limits.high);
   }
@@ -156,7 +165,7 @@ JsonValue VectorOf::write(const Vec3& value) const {
 }
 
 JsonValue VectorOf::schema(Schema& schema) const {
-  return schema.reference(std::string(info(measure).key) + "_vector", [this](Schema& inner) {
+  return schema.reference("vector_" + std::string(info(measure).key), [this](Schema& inner) {
     return ListOf<NumberOf>{{measure}, 3, 3}.schema(inner);
   });
 }

@@ -27,10 +27,19 @@ std::string Reader::where() const {
   return text;
 }
 
-const JsonValue* Fields::begin(std::string_view key, Presence presence) {
+std::string definition_name(std::string_view title) {
+  std::string name(title);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+const JsonValue* Fields::begin(std::string_view key, Presence presence, std::string_view text) {
   if (reader_->failed()) return nullptr;
   const JsonValue* json = source_->find(key);
-  if (!json && presence == kRequired && missing_.empty()) missing_ = key;
+  if (!json && presence == kRequired && missing_.empty()) {
+    missing_ = key;
+    missing_text_ = text.substr(0, text.find_last_not_of('.') + 1);
+  }
   return json;
 }
 
@@ -43,7 +52,8 @@ void Fields::finish_reading(std::string_view title) {
                          suggestion(key, keys_));
   }
   if (!missing_.empty()) {
-    reader_->fail(ErrorCode::kType, "the key \"" + missing_ + "\" is missing in this " + std::string(title), "add it");
+    reader_->fail(ErrorCode::kType, "the key \"" + missing_ + "\" is missing in this " + std::string(title),
+                  "what it says: " + missing_text_);
   }
 }
 
@@ -68,7 +78,7 @@ JsonValue Fields::finish_writing(const JsonValue* defaults) {
 void Fields::add_schema(std::string_view key, JsonValue schema, Presence presence, std::string_view text) {
   schema.set("description", JsonValue::string(text));
   const JsonValue* plain = source_->find(key);
-  const bool empty = !plain || (plain->items.empty() && (plain->is(JsonValue::Kind::kArray) || plain->is(JsonValue::Kind::kObject)));
+  const bool empty = !plain || (plain->items.empty() && plain->text.empty() && !plain->is(JsonValue::Kind::kBool));
   if (presence == kRequired) {
     required_.emplace_back(key);
   } else if (!empty) {

@@ -60,6 +60,9 @@ class Reader {
   std::optional<Error> error_;
 };
 
+/// `title` as the name of a definition, which has to be a valid piece of a URI: spaces become underscores.
+std::string definition_name(std::string_view title);
+
 /// Definitions collected while the schema is written.
 class Schema {
  public:
@@ -98,7 +101,7 @@ class Fields {
   Fields& field(std::string_view key, T& value, const Codec& codec, Presence presence, std::string_view text) {
     keys_.emplace_back(key);
     if (reader_) {
-      if (const JsonValue* json = begin(key, presence)) {
+      if (const JsonValue* json = begin(key, presence, text)) {
         const Reader::Step step(*reader_, key);
         codec.read(*reader_, *json, value);
       }
@@ -115,7 +118,7 @@ class Fields {
                 std::string_view text) {
     keys_.emplace_back(key);
     if (reader_) {
-      if (const JsonValue* json = begin(key, presence)) {
+      if (const JsonValue* json = begin(key, presence, text)) {
         const Reader::Step step(*reader_, key);
         codec.read(*reader_, *json, value.emplace());
       }
@@ -134,7 +137,7 @@ class Fields {
   JsonValue finish_schema(std::string_view title) const;
 
  private:
-  const JsonValue* begin(std::string_view key, Presence presence);
+  const JsonValue* begin(std::string_view key, Presence presence, std::string_view text);
   void add_written(std::string_view key, JsonValue value, Presence presence);
   void add_schema(std::string_view key, JsonValue schema, Presence presence, std::string_view text);
 
@@ -142,7 +145,7 @@ class Fields {
   Schema* schema_ = nullptr;
   const JsonValue* source_ = nullptr;
   std::vector<std::string> keys_;
-  std::string missing_;
+  std::string missing_, missing_text_;  ///< first required key that is absent, and its sentence
   std::vector<std::string> required_;
   JsonValue written_ = JsonValue::object();
 };
@@ -167,7 +170,7 @@ struct ObjectOf {
     return fields.finish_writing(&plain);
   }
   JsonValue schema(Schema& schema) const {
-    return schema.reference(std::string(title), [this](Schema& inner) {
+    return schema.reference(definition_name(title), [this](Schema& inner) {
       T defaults{};
       Fields written;
       describe(written, defaults);

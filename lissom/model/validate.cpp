@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/json_value.h"
 #include "lissom/model/validate_parts.h"
 
 namespace lissom {
@@ -46,7 +47,7 @@ struct SetWalk {
 
 void check_sets(Checker& check, const Model& model) {
   for (std::size_t i = 0; i < model.sets.size() && !check.failed(); ++i) {
-    const std::string where = "/sets/" + model.sets[i].name;
+    const std::string where = "/sets/" + pointer_step(model.sets[i].name);
     for (const char* word : {"all", "joints", "boundary"}) {
       if (model.sets[i].name == word) {
         return check.fail(ErrorCode::kConflict, where, "\"" + model.sets[i].name + "\" is a built-in selection", "choose another name");
@@ -59,7 +60,7 @@ void check_sets(Checker& check, const Model& model) {
   for (std::size_t i = 0; i < model.sets.size(); ++i) {
     walk.visit(i);
     if (walk.circular) {
-      return check.fail(ErrorCode::kConflict, "/sets/" + model.sets[i].name, "this set contains itself",
+      return check.fail(ErrorCode::kConflict, "/sets/" + pointer_step(model.sets[i].name), "this set contains itself",
                         "define it by rods, points or boxes");
     }
   }
@@ -168,13 +169,13 @@ Status Model::validate() const {
   for (const Material& material : materials) own.push_back(material.name);
   for (const MotionCase& motion : motions) motion_names.push_back(motion.name);
   const auto listed = [](const char* key) { return [key](std::size_t i) { return at("", key, i) + "/name"; }; };
-  check.distinct(own, "material", [&own](std::size_t i) { return "/materials/" + own[i]; });
+  check.distinct(own, "material", [&own](std::size_t i) { return "/materials/" + pointer_step(own[i]); });
   check.distinct(check.rods, "rod", listed("rods"));
-  check.distinct(check.sets, "set", [&check](std::size_t i) { return "/sets/" + check.sets[i]; });
+  check.distinct(check.sets, "set", [&check](std::size_t i) { return "/sets/" + pointer_step(check.sets[i]); });
   check.distinct(check.poses, "pose", listed("poses"));
   check.distinct(motion_names, "motion", listed("motions"));
   for (std::size_t i = 0; i < materials.size() && !check.failed(); ++i) {
-    check.take(materials[i].validate("/materials/" + materials[i].name));
+    check.take(materials[i].validate("/materials/" + pointer_step(own[i])));
   }
   if (rods.empty()) check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods", "add some to \"rods\" or \"networks\"");
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));

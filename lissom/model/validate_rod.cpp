@@ -100,9 +100,13 @@ void check_line_normal(Checker& check, const Curve& curve, const MaterialAxes& a
   for (std::size_t i = 0; i < pieces; ++i) {
     const Vec3 tangent = (polyline->points[(i + 1) % n] - polyline->points[i]).stableNormalized();
     if (tangent.cross(normal).norm() > 1e-9) continue;
+    Eigen::Index across = 0;
+    tangent.cwiseAbs().minCoeff(&across);
+    const Vec3 better = Vec3::Unit(across);
     return check.fail(ErrorCode::kGeometry, where + "/axes",
                       "the material axis n points along the rod" + (pieces > 1 ? " at its piece " + std::to_string(i) : std::string()),
-                      "give a direction across the rod, for example \"axes\": {\"normal\": [1, 0, 0]}");
+                      "give a direction across the rod, for example \"axes\": {\"normal\": [" + number_text(better[0]) + ", " +
+                          number_text(better[1]) + ", " + number_text(better[2]) + "]}");
   }
 }
 

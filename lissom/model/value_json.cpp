@@ -102,7 +102,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(string_t& key) override {
     if (!open_.back().known.insert(key).second) {
-      return refuse(ErrorCode::kConflict, pointer() + "/" + pointer_step(key), "the key \"" + key + "\" appears twice",
+      return refuse(ErrorCode::kConflict, pointer(open_.size()) + "/" + pointer_step(key), "the key \"" + key + "\" appears twice",
                     "keep one of the two");
     }
     open_.back().value.keys.push_back(key);
@@ -130,7 +130,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(JsonValue value) {
     if (static_cast<int>(open_.size()) >= depth_) {
-      return refuse(ErrorCode::kSyntax, pointer(), "the brackets are nested deeper than " + std::to_string(depth_), {});
+      return refuse(ErrorCode::kSyntax, pointer(kShownSteps), "the brackets are nested deeper than " + std::to_string(depth_), {});
     }
     open_.push_back({std::move(value), {}});
     return true;
@@ -147,9 +147,11 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return false;
   }
 
-  std::string pointer() const {
+  static constexpr std::size_t kShownSteps = 4;  ///< of a place that is nested absurdly deep
+
+  std::string pointer(std::size_t steps) const {
     std::string where;
-    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+    for (std::size_t i = 0; i < steps && i + 1 < open_.size(); ++i) {
       const JsonValue& value = open_[i].value;
       where += "/" + (value.is(JsonValue::Kind::kObject) ? pointer_step(value.keys.back()) : std::to_string(value.items.size()));
     }
@@ -183,12 +185,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     } else if (says("control character")) {
       message = "a text runs over the end of its line or holds a control character";
       hint = "is the closing quote missing?";
-    } else if (says("invalid escape") || says("'\\u'") || says("surrogate")) {
+    } else if (says("backslash") || says("'\\u'") || says("surrogate")) {
       message = "the backslash in this text starts no known escape";
       hint = "a backslash itself is written \"\\\\\"";
     } else if (says("expected end of input")) {
       message = "there is more text after the end of the document";
       hint = "is a brace closed too early?";
+    } else if (last.starts_with('/')) {
+      message = "a comment is not allowed here";
+      hint = "JSON has no comments; use \"title\" and \"source\"";
     } else if (says("while parsing object key")) {
       message = "a key in quotes is expected here";
       hint = "is there a comma too many before a closing brace, or a key without quotes?";
