@@ -65,7 +65,8 @@ void NumberOf::read(Reader& reader, const JsonValue& json, double& value) const 
   }
   if (const std::string broken = limits_broken(value, limits); !broken.empty()) {
     const std::string subject = measure == Measure::kRatio ? "number" : std::string(what.name);
-    reader.fail(ErrorCode::kRange, "this " + subject + " " + broken + ", not " + json.text);
+    reader.fail(ErrorCode::kRange, "this " + subject + " " + broken +
+                                       (limits.kind == Limits::Kind::kNotZero ? std::string() : ", not " + json.text));
   }
 }
 

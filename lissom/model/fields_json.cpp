@@ -53,7 +53,7 @@ void Fields::finish_reading(std::string_view title) {
   }
   if (!missing_.empty()) {
     reader_->fail(ErrorCode::kType, "the key \"" + missing_ + "\" is missing in this " + std::string(title),
-                  "what it says: " + missing_text_);
+                  "add \"" + missing_ + "\": " + missing_text_);
   }
 }
 

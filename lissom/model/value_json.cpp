@@ -191,7 +191,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     } else if (says("expected end of input")) {
       message = "there is more text after the end of the document";
       hint = "is a brace closed too early?";
-    } else if (last.starts_with('/')) {
+    } else if (position > 0 && position <= text_.size() && text_[position - 1] == '/') {
       message = "a comment is not allowed here";
       hint = "JSON has no comments; use \"title\" and \"source\"";
     } else if (says("while parsing object key")) {
