@@ -1,16 +1,20 @@
 #include "lissom/model/document.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "lissom/core/file_io.h"
+
 #include "model_bits.h"
+
+// Designated initialisers leave members at their defaults on purpose.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 namespace lissom {
 namespace {
