@@ -30,6 +30,11 @@ Eigen::SparseMatrix<double> to_eigen(const SparsePattern& p, const std::vector<d
   return view;
 }
 
+/// A row of build/bench.json, see tools/bench.py.
+void report(const char* name, int unknowns, const char* metric, double ms) {
+  std::printf("linear solver, %s, %d unknowns\t%s\t%.6g\tms\n", name, unknowns, metric, ms);
+}
+
 void measure(const char* name, const rod_matrices::Blocks& blocks, int repeats) {
   SparsePattern pattern;
   const double pattern_ms = median_ms(3, [&] { pattern = blocks.pattern(); });
@@ -58,6 +63,11 @@ void measure(const char* name, const rod_matrices::Blocks& blocks, int repeats) 
                   s.kind == FactorKind::kLdl ? "LDL'" : "LL'", s.ordering == Ordering::kAmd ? "AMD" : "METIS",
                   static_cast<long long>(s.factor_nonzeros), s.factor_flops * 1e-6, analyse, numeric, solve, solve_many,
                   kind == FactorKind::kBest ? "  <- best" : "", ok ? "" : "  FAILED");
+      if (kind == FactorKind::kBest && ok) {
+        report(name, pattern.size(), "factorisation", numeric);
+        report(name, pattern.size(), "solve", solve);
+        report(name, pattern.size(), "solve of 64 right-hand sides", solve_many);
+      }
     }
   }
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> eigen;

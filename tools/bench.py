@@ -3,8 +3,10 @@
 
     tools/bench.py BUILD_DIR [NAME...]      NAME: programs of bench/; default: all
 
-Each row is {name, metric, value, unit}. Times are wall time per iteration, the median when a bench repeats itself. A
-counter names its unit in brackets: counters["peak memory [MB]"]. Needs Python's standard library only.
+Each row is {name, metric, value, unit}. Programs that use Google Benchmark report by themselves: times are wall time per
+iteration, the median when a bench repeats itself, and a counter names its unit in brackets, counters["peak memory [MB]"].
+Programs with a main() of their own print a line `name TAB metric TAB value TAB unit` for each row, besides what people
+read. A program that ends badly or measures nothing is a failure. Needs Python's standard library only.
 """
 
 import json
@@ -13,6 +15,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+FIELDS = ("name", "metric", "value", "unit")
 # What Google Benchmark writes about a run besides the counters of the bench itself.
 FIXED = {
     "name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "repetition_index",
@@ -35,11 +38,40 @@ def rows_of(report):
         for key in sorted(run.keys() - FIXED):
             metric, _, unit = key.partition(" [")
             rows.append((run["run_name"], metric, run[key], unit.rstrip("]")))
-    return [dict(zip(("name", "metric", "value", "unit"), row)) for row in rows], broken
+    return [dict(zip(FIELDS, row)) for row in rows], broken
+
+
+def row_of(line):
+    """The row that a line of a program's output stands for, or None."""
+    cells = line.rstrip("\n").split("\t")
+    try:
+        return dict(zip(FIELDS, (cells[0], cells[1], float(cells[2]), cells[3]))) if len(cells) == 4 else None
+    except ValueError:
+        return None
+
+
+def measure(program, out):
+    """Runs one program, showing what it prints; returns (rows, problems)."""
+    out.unlink(missing_ok=True)
+    rows = []
+    command = [program, f"--benchmark_out={out}", "--benchmark_out_format=json"]
+    with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True) as run:
+        for line in run.stdout:
+            row = row_of(line)
+            if row:
+                rows.append(row)
+            else:
+                print(line, end="", flush=True)
+    if run.returncode != 0:
+        return rows, [f"{program.name}: ended with exit code {run.returncode}"]
+    if out.exists():
+        found, problems = rows_of(json.loads(out.read_text(encoding="utf-8")))
+        return rows + found, problems
+    return rows, [] if rows else [f"{program.name}: measured nothing"]
 
 
 def table(rows):
-    cells = [("name", "metric", "value", "unit")]
+    cells = [FIELDS]
     cells += [(row["name"], row["metric"], f"{row['value']:.4g}", row["unit"]) for row in rows]
     widths = [max(len(cell[i]) for cell in cells) for i in range(3)]
     for name, metric, value, unit in cells:
@@ -58,19 +90,9 @@ def main():
     rows, broken = [], []
     for name in names:
         print(f"== bench: {name}", flush=True)
-        out = build / "bench" / f"{name}.json"
-        out.unlink(missing_ok=True)
-        done = subprocess.run(
-            [build / "bench" / name, f"--benchmark_out={out}", "--benchmark_out_format=json"], cwd=ROOT,
-            stdin=subprocess.DEVNULL, check=False)
-        if done.returncode != 0 or not out.exists():
-            broken.append(f"{name}: ended with exit code {done.returncode}")
-            continue
-        found, problems = rows_of(json.loads(out.read_text(encoding="utf-8")))
+        found, problems = measure(build / "bench" / name, build / "bench" / f"{name}.json")
         rows += found
         broken += problems
-        if not found and not problems:
-            broken.append(f"{name}: measured nothing")
     target = build.parent / "bench.json"
     target.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
     print()

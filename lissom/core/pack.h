@@ -3,56 +3,49 @@
 /// Uses the vector extension that GCC and Clang share (x86-64, ARM, WebAssembly); the compiler lowers it to what is there.
 
 #include <cmath>
+#include <cstring>
 
 #include <Eigen/Core>
 
 namespace lissom {
 
-struct Pack {
+class Pack {
+ public:
   static constexpr int kLanes = 4;
-  typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
-  Lanes v{};
 
   Pack() = default;
-  Pack(double x) : v{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs
-  explicit Pack(Lanes lanes) : v(lanes) {}
+  Pack(double x) : lane_{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs
 
-  double operator[](int lane) const { return v[lane]; }
-  void set(int lane, double x) { v[lane] = x; }
+  double operator[](int lane) const { return lane_[lane]; }
+  void set(int lane, double x) { lane_[lane] = x; }
+  void store(double* p) const { std::memcpy(p, lane_, sizeof lane_); }
 
-  static Pack load(const double* p) {
-    return Pack(Lanes{p[0], p[1], p[2], p[3]});
-  }
-  void store(double* p) const {
-    for (int i = 0; i < kLanes; ++i) p[i] = v[i];
+  Pack& operator+=(const Pack& o) { return *this = *this + o; }
+  Pack& operator-=(const Pack& o) { return *this = *this - o; }
+  Pack& operator*=(const Pack& o) { return *this = *this * o; }
+  Pack& operator/=(const Pack& o) { return *this = *this / o; }
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.lanes() + b.lanes()); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.lanes() - b.lanes()); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.lanes() * b.lanes()); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.lanes() / b.lanes()); }
+  friend Pack operator-(const Pack& a) { return Pack(-a.lanes()); }
+
+ private:
+  typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
+  explicit Pack(Lanes lanes) { std::memcpy(lane_, &lanes, sizeof lane_); }
+  Lanes lanes() const {
+    Lanes lanes;
+    std::memcpy(&lanes, lane_, sizeof lane_);
+    return lanes;
   }
 
-  Pack& operator+=(const Pack& o) {
-    v += o.v;
-    return *this;
-  }
-  Pack& operator-=(const Pack& o) {
-    v -= o.v;
-    return *this;
-  }
-  Pack& operator*=(const Pack& o) {
-    v *= o.v;
-    return *this;
-  }
-  Pack& operator/=(const Pack& o) {
-    v /= o.v;
-    return *this;
-  }
-  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
-  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
-  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
-  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
-  friend Pack operator-(const Pack& a) { return Pack(-a.v); }
+  // Stored as an array, so that single lanes are ordinary stores; the copies above become vector loads.
+  alignas(kLanes * sizeof(double)) double lane_[kLanes] = {};
 };
 
 inline Pack sqrt(const Pack& x) {
   Pack r;
-  for (int i = 0; i < Pack::kLanes; ++i) r.v[i] = std::sqrt(x.v[i]);
+  for (int i = 0; i < Pack::kLanes; ++i) r.set(i, std::sqrt(x[i]));
   return r;
 }
 

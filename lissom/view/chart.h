@@ -15,7 +15,7 @@ namespace lissom {
 
 struct ChartAxis {
   enum class Scale { kLinear, kLogarithmic };
-  std::string label;
+  std::string label = {};
   std::string unit = {};     ///< as displayed; empty: a pure number
   double display_scale = 1;  ///< shown value = given value * display_scale
   Scale scale = Scale::kLinear;
@@ -24,8 +24,9 @@ struct ChartAxis {
 
 struct ChartSeries {
   enum class Style { kLine, kPoints, kLineAndPoints };
-  std::string name;
-  std::vector<double> x, y;  ///< same length; NaN leaves a gap, and so does a value <= 0 on a logarithmic axis
+  std::string name = {};
+  std::vector<double> x = {},
+                      y = {};  ///< same length; NaN leaves a gap, and so does a value <= 0 on a logarithmic axis
   Style style = Style::kLine;
 };
 
@@ -34,7 +35,7 @@ struct ChartGuide {
   enum class Direction { kHorizontal, kVertical };
   Direction direction = Direction::kHorizontal;
   double value = 0;  ///< as given on that axis
-  std::string label;
+  std::string label = {};
 };
 
 struct Chart {

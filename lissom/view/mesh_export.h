@@ -11,9 +11,9 @@
 namespace lissom {
 
 struct PlyOptions {
-  int sides = 24;                   ///< around ellipses and tubes, even, 4 to 512
-  std::string field;                ///< its colours at the vertices; empty: no colours
-  std::optional<ColorRange> range;  ///< as stored (SI); absent: fits the field
+  int sides = 24;                        ///< around ellipses and tubes, even, 4 to 512
+  std::string field = {};                ///< its colours at the vertices; empty: no colours
+  std::optional<ColorRange> range = {};  ///< as stored (SI); absent: fits the field
 };
 
 /// Centrelines: one object with one `l` element per rod. Points that rods share are written once.

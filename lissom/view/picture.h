@@ -35,10 +35,10 @@ struct PictureOptions {
   int width = 1600, height = 1200;  ///< px
   Theme theme = Theme::kLight;
   Viewpoint view = Viewpoint::iso();
-  std::string title;
-  std::string field;                ///< name of the field that colours solid layers; empty: plain
-  std::optional<ColorRange> range;  ///< as stored (SI); absent: fits all panels
-  int columns = 0;                  ///< of panels; 0: one row up to four panels, then as square as possible
+  std::string title = {};
+  std::string field = {};                ///< name of the field that colours solid layers; empty: plain
+  std::optional<ColorRange> range = {};  ///< as stored (SI); absent: fits all panels
+  int columns = 0;                       ///< of panels; 0: one row up to four panels, then as square as possible
   Visibility supports = Visibility::kShown;
   Visibility forces = Visibility::kShown;
   Visibility ruler = Visibility::kShown;

@@ -59,9 +59,9 @@ struct Marker {
 };
 
 struct Drawing {
-  std::vector<RodStrip> rods;
-  std::vector<Field> fields;
-  std::vector<Marker> markers;
+  std::vector<RodStrip> rods = {};
+  std::vector<Field> fields = {};
+  std::vector<Marker> markers = {};
 
   const Field* field(std::string_view name) const;  ///< null when unknown
   int point_count() const;                          ///< over all rods

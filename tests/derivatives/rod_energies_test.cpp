@@ -158,7 +158,7 @@ TEST_P(Energies, ThreadsChangeNoByte) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Joints, Energies, testing::Values(JointKind::kExplicit, JointKind::kCorotational),
-                         [](const auto& info) { return info.param == JointKind::kExplicit ? "Explicit" : "Corotational"; });
+                         [](const auto& test) { return test.param == JointKind::kExplicit ? "Explicit" : "Corotational"; });
 
 /// Stretch with a factor missing in one block of its Hessian.
 struct BrokenStretch : RodStretch {

@@ -70,7 +70,9 @@ TEST(Ticks, LinearTicksAreRoundAndInside) {
       for (size_t i = 0; i < ticks.at.size(); ++i) {
         EXPECT_GE(ticks.at[i], low - 1e-6 * extent);
         EXPECT_LE(ticks.at[i], high + 1e-6 * extent);
-        if (i > 0) EXPECT_NE(ticks.labels[i], ticks.labels[i - 1]) << low << " " << high;
+        if (i > 0) {
+          EXPECT_NE(ticks.labels[i], ticks.labels[i - 1]) << low << " " << high;
+        }
         ++checked;
       }
     }

@@ -4,6 +4,7 @@
 
 #include "lissom/model/structure.h"
 #include "lissom/view/picture.h"
+#include "lissom/view/pose_markers.h"
 #include "lissom/view/rod_drawing.h"
 #include "lissom/view/svg_compact.h"
 #include "lissom/view/text.h"
@@ -54,13 +55,57 @@ TEST(Drawing, FollowsTheStructure) {
   EXPECT_TRUE(check_drawing(drawing).ok());
 }
 
+TEST(Drawing, PosesBecomeMarkers) {
+  Rod rod;
+  rod.name = "beam";
+  rod.curve = Polyline{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, false};
+  rod.material = "PLA";
+  rod.section = {SectionShape::kEllipse, {1e-3}, {2e-3}, 0};
+  rod.edges = 4;
+  Model model;
+  model.rods = {rod};
+  const auto end = [](double fraction) {
+    Selector selector;
+    selector.kind = Selector::Kind::kRod;
+    selector.name = "beam";
+    selector.fraction = fraction;
+    return selector;
+  };
+  Pose pose;
+  pose.name = "loaded";
+  pose.supports.resize(2);
+  pose.supports[0].at = end(0);
+  pose.supports[0].kind = SupportKind::kClamp;
+  pose.supports[1].at = end(1);
+  pose.supports[1].kind = SupportKind::kSymmetry;
+  pose.forces.resize(1);
+  pose.forces[0].force = Vec3(0, 0, -10);
+  pose.forces[0].shared = true;  // over the five nodes
+  model.poses = {pose};
+  const Result<Structure> structure = discretize(model);
+  ASSERT_TRUE(structure.ok()) << structure.error().text();
+  std::vector<Vec3> moved = structure.value().nodes;
+  for (Vec3& p : moved) p.y() += 7;
+  const Result<std::vector<Marker>> markers = pose_markers(model, structure.value(), pose, moved);
+  ASSERT_TRUE(markers.ok()) << markers.error().text();
+  ASSERT_EQ(markers.value().size(), 6u);
+  EXPECT_EQ(markers.value()[0].kind, Marker::Kind::kClamp);
+  EXPECT_EQ(markers.value()[0].at, Vec3(0, 7, 0));
+  EXPECT_EQ(markers.value()[3].kind, Marker::Kind::kForce);
+  EXPECT_EQ(markers.value()[3].vector, Vec3(0, 0, -2));
+  pose.supports[0].at.name = "bean";
+  EXPECT_FALSE(pose_markers(model, structure.value(), pose, moved).ok());
+}
+
 TEST(Tube, RingsLieOnTheSectionAndCurvesPassThroughPoints) {
   const RodStrip rod = samples::circle(1, 12, 0.05);
   const std::vector<Ring> rings = tube_rings(rod, std::vector<int>(12, 8));
   ASSERT_EQ(rings.size(), 12u * 8 + 1);
   for (size_t i = 0; i < rings.size(); ++i) {
     EXPECT_NEAR(rings[i].centre.norm(), 1, 2e-3);  // chord of the polygon would be 0.034 off
-    if (i % 8 == 0) EXPECT_EQ(rings[i].centre, rod.points[i / 8 % 12]);
+    if (i % 8 == 0) {
+      EXPECT_EQ(rings[i].centre, rod.points[i / 8 % 12]);
+    }
     EXPECT_NEAR(rings[i].b.dot(rings[i].n), 0, 1e-12);
     for (const Vec2& p : section_outline(SectionShape::kEllipse, 8)) {
       EXPECT_NEAR((ring_point(rings[i], p) - rings[i].centre).norm(), 0.05, 0.04 * 0.05);
@@ -100,7 +145,7 @@ TEST(Camera, FitsAndPointsUp) {
 TEST(Picture, SameBytesEveryTime) {
   const std::vector<Panel> panels = {panel(samples::beam_and_ring()),
                                      panel(samples::beam_and_ring(), Layer::Style::kGhost)};
-  PictureOptions options{.width = 400, .height = 300, .title = "Beam & ring", .field = "axial force", .range = {}};
+  PictureOptions options{.width = 400, .height = 300, .title = "Beam & ring", .field = "axial force"};
   for (ImageFormat format : {ImageFormat::kPng, ImageFormat::kSvg}) {
     const Result<std::string> first = draw_picture(panels, options, format);
     ASSERT_TRUE(first.ok()) << first.error().text();
@@ -115,7 +160,7 @@ TEST(Picture, ThinRodsAreLinesInTheExactColourOfTheField) {
   Drawing drawing;
   drawing.rods = {samples::straight(1, 4, 1e-4, 1e-4)};
   drawing.fields = {samples::edge_field("force", {-2, -1, std::nan(""), 2})};
-  PictureOptions options{.width = 400, .height = 300, .view = Viewpoint::front(), .field = "force", .range = {}};
+  PictureOptions options{.width = 400, .height = 300, .view = Viewpoint::front(), .field = "force"};
   options.axes = options.ruler = Visibility::kHidden;
   const std::string svg = draw_picture({panel(drawing)}, options, ImageFormat::kSvg).value();
   const ColorRange range{-2, 2};
@@ -133,7 +178,7 @@ TEST(Picture, DrawsNearRodsOverFarOnes) {
   drawing.rods = {samples::strip("far", {{-1, 1, 0}, {1, 1, 0}}, 1e-4, 1e-4),
                   samples::strip("near", {{0, -1, -1}, {0, -1, 1}}, 1e-4, 1e-4)};
   drawing.fields = {samples::edge_field("force", {-1, 1})};
-  PictureOptions options{.width = 400, .height = 300, .view = Viewpoint::front(), .field = "force", .range = {}};
+  PictureOptions options{.width = 400, .height = 300, .view = Viewpoint::front(), .field = "force"};
   const auto order = [&] {
     const std::string svg = draw_picture({panel(drawing)}, options, ImageFormat::kSvg).value();
     return svg.rfind("stroke:" + hex(map_color(Field::Colors::kDiverging, 1))) >
@@ -146,7 +191,7 @@ TEST(Picture, DrawsNearRodsOverFarOnes) {
 
 TEST(Picture, SupportsForcesAndThemesShow) {
   Drawing drawing = samples::beam_and_ring();
-  PictureOptions options{.width = 400, .height = 300, .range = {}};
+  PictureOptions options{.width = 400, .height = 300};
   const std::string bare = draw_picture({panel(drawing)}, options, ImageFormat::kSvg).value();
   drawing.markers = {{.kind = Marker::Kind::kPin, .at = drawing.rods[0].points[0]},
                      {.kind = Marker::Kind::kForce, .at = drawing.rods[0].points[3], .vector = Vec3(0, 0, -2)}};
@@ -175,7 +220,7 @@ TEST(Picture, LargeNetworksAreFastAndModerateInSize) {
   }
   drawing.fields = {samples::edge_field("force", values)};
   ASSERT_EQ(drawing.edge_count(), 15000);
-  const PictureOptions options{.field = "force", .range = {}};
+  const PictureOptions options{.field = "force"};
   const auto start = std::chrono::steady_clock::now();
   const Result<std::string> png = draw_picture({panel(drawing)}, options, ImageFormat::kPng);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -191,7 +236,7 @@ TEST(Picture, OddShapesAreDrawn) {
   drawing.rods.push_back(samples::strip("back and forth", {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, 0.01, 0.01));
   drawing.rods.push_back(samples::strip("\xff<&>\n", {{0, 0, 0}, {0, 0, 1}}, 0.01, 0.01));
   drawing.fields = {samples::edge_field("\xc3(", std::vector<double>(5, std::nan("")))};
-  const PictureOptions options{.width = 300, .height = 200, .title = "\xff", .field = "\xc3(", .range = {}};
+  const PictureOptions options{.width = 300, .height = 200, .title = "\xff", .field = "\xc3("};
   for (ImageFormat format : {ImageFormat::kPng, ImageFormat::kSvg}) {
     const Result<std::string> picture = draw_picture({panel(drawing)}, options, format);
     ASSERT_TRUE(picture.ok()) << picture.error().text();
@@ -204,7 +249,7 @@ TEST(Picture, ErrorsSayWhatIsWrong) {
     const Result<std::string> result = draw_picture(panels, options, ImageFormat::kSvg);
     return result.ok() ? std::string("drawn") : result.error().text();
   };
-  PictureOptions options{.width = 300, .height = 200, .range = {}};
+  PictureOptions options{.width = 300, .height = 200};
   EXPECT_NE(error({}, options).find("nothing to draw"), std::string::npos);
   EXPECT_NE(error({panel({})}, options).find("no rods"), std::string::npos);
   Drawing drawing = samples::beam_and_ring();

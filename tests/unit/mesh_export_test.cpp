@@ -107,7 +107,7 @@ TEST(MeshExport, CentrelinesReadBackExactlyAndShareJoints) {
 
 TEST(MeshExport, PlyHasColoursOfTheField) {
   const Drawing drawing = samples::beam_and_ring();
-  const std::string text = ply_surfaces(drawing, {.sides = 6, .field = "bending <moment>", .range = {}}).value();
+  const std::string text = ply_surfaces(drawing, {.sides = 6, .field = "bending <moment>"}).value();
   std::istringstream file(text);
   std::string row;
   int vertices = 0, faces = 0;
@@ -150,7 +150,7 @@ TEST(MeshExport, ObjSurfacesHaveOneObjectPerRod) {
 TEST(MeshExport, RefusesWhatCannotBe) {
   Drawing drawing = samples::beam_and_ring();
   EXPECT_EQ(obj_surfaces(drawing, 7).error().where, "sides");
-  EXPECT_EQ(ply_surfaces(drawing, {.field = "nothing", .range = {}}).error().where, "field");
+  EXPECT_EQ(ply_surfaces(drawing, {.field = "nothing"}).error().where, "field");
   drawing.rods[1].points[2].y() = std::nan("");
   for (const Result<std::string>& result : {obj_centrelines(drawing), obj_surfaces(drawing), ply_surfaces(drawing)}) {
     ASSERT_FALSE(result.ok());

@@ -1,0 +1,23 @@
+#pragma once
+/// Whole files in and out. Writing is atomic: a killed run leaves either the old file or the new one, never half of one.
+/// The only file of the engine that talks to the file system beyond std::filesystem.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lissom/core/result.h"
+
+namespace lissom {
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  ///< bytes that read_file takes unless told otherwise
+
+/// The bytes of a file. Errors name the path and the reason: missing, a folder, no permission, larger than `limit` bytes.
+Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit = kLargestFile);
+
+/// Replaces `path` by `bytes`: a temporary file in the same folder, flushed to the disk, then renamed. Keeps the permissions
+/// of a file that it replaces and follows symbolic links; devices and pipes are written directly.
+Status write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace lissom

@@ -1,0 +1,102 @@
+#pragma once
+/// Codecs of the parts that several files of the document reader share.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lissom/model/codecs_json.h"
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+/// A curve as written: exactly one of the five kinds.
+struct CurveEntry {
+  std::optional<std::vector<Vec3>> polyline, spline, line;
+  std::optional<Arc> arc;
+  std::optional<Helix> helix;
+  bool closed = false;
+};
+
+/// The keys of a curve, inside whatever object carries them.
+void describe_curve(Fields& fields, CurveEntry& entry);
+void to_model(Reader& reader, const CurveEntry& entry, Curve& curve);
+void to_entry(const Curve& curve, CurveEntry& entry);
+
+void describe(Fields& fields, CurveEntry& entry);
+void describe(Fields& fields, Arc& arc);
+void describe(Fields& fields, Helix& helix);
+void describe(Fields& fields, Material& material);
+
+/// "joints", {"normal": ...}, {"transport": ...} or {"per_point": ...}.
+struct AxesOf {
+  void read(Reader& reader, const JsonValue& json, MaterialAxes& axes) const;
+  JsonValue write(const MaterialAxes& axes) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+/// "as_drawn", "straight", {"curvature_b": ...} or {"curve": ...}.
+struct NaturalOf {
+  void read(Reader& reader, const JsonValue& json, Natural& natural) const;
+  JsonValue write(const Natural& natural) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+/// {"radius": ...} and the other ways to give a cross-section.
+struct SectionOf {
+  void read(Reader& reader, const JsonValue& json, SectionProfile& section) const;
+  JsonValue write(const SectionProfile& section) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct RodOf {
+  void read(Reader& reader, const JsonValue& json, Rod& rod) const;
+  JsonValue write(const Rod& rod) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+/// A line network, expanded into one rod per line.
+struct NetworkOf {
+  void read(Reader& reader, const JsonValue& json, std::vector<Rod>& rods) const;
+  JsonValue write(const std::vector<Rod>&) const { return {}; }
+  JsonValue schema(Schema& schema) const;
+};
+
+/// How a document names nodes.
+struct SelectorOf {
+  void read(Reader& reader, const JsonValue& json, Selector& selector) const;
+  JsonValue write(const Selector& selector) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct NamedSetOf {
+  void read(Reader& reader, const JsonValue& json, NamedSet& set) const { SelectorOf().read(reader, json, set.nodes); }
+  JsonValue write(const NamedSet& set) const { return SelectorOf().write(set.nodes); }
+  JsonValue schema(Schema& schema) const { return SelectorOf().schema(schema); }
+};
+
+struct SupportOf {
+  void read(Reader& reader, const JsonValue& json, Support& support) const;
+  JsonValue write(const Support& support) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct ExpectationOf {
+  void read(Reader& reader, const JsonValue& json, Expectation& expectation) const;
+  JsonValue write(const Expectation& expectation) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct PoseOf {
+  void read(Reader& reader, const JsonValue& json, Pose& pose) const;
+  JsonValue write(const Pose& pose) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct MotionOf {
+  void read(Reader& reader, const JsonValue& json, MotionCase& motion) const;
+  JsonValue write(const MotionCase& motion) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+}  // namespace lissom

@@ -1,0 +1,140 @@
+#include "lissom/model/entries_json.h"
+
+namespace lissom {
+namespace {
+
+constexpr std::pair<std::string_view, Selector::Kind> kWords[] = {
+    {"all", Selector::Kind::kAll}, {"joints", Selector::Kind::kJoints}, {"boundary", Selector::Kind::kBoundary}};
+
+/// "start", "end", or a fraction of the rod's length.
+struct PlaceOf {
+  void read(Reader& reader, const JsonValue& json, double& fraction) const {
+    if (json.is(JsonValue::Kind::kString) && (json.text == "start" || json.text == "end")) {
+      fraction = json.text == "end" ? 1 : 0;
+      return;
+    }
+    if (json.is(JsonValue::Kind::kString) && json.text.find_first_of("0123456789") == std::string::npos) {
+      return reader.fail(ErrorCode::kUnknown, "\"" + json.text + "\" is not a place on a rod",
+                         "write \"start\", \"end\", or a fraction of its length such as 0.5 or \"50 %\"");
+    }
+    kFraction.read(reader, json, fraction);
+  }
+  JsonValue write(double fraction) const {
+    if (fraction == 0) return JsonValue::string("start");
+    return fraction == 1 ? JsonValue::string("end") : kFraction.write(fraction);
+  }
+  JsonValue schema(Schema& schema) const {
+    JsonValue words = JsonValue::array({JsonValue::string("start"), JsonValue::string("end")});
+    return any_of({JsonValue::object().set("enum", std::move(words)), kFraction.schema(schema)});
+  }
+
+ private:
+  static constexpr NumberOf kFraction{Measure::kRatio, between(0, 1)};
+};
+
+/// The object form of a selector.
+struct SelectorEntry {
+  std::optional<std::string> rod;
+  std::optional<double> at, within;
+  std::optional<Vec3> point;
+  std::optional<std::vector<Vec3>> box;
+};
+
+void describe(Fields& fields, SelectorEntry& entry) {
+  const VectorOf point{Measure::kLength};
+  fields.field("rod", entry.rod, TextOf{false}, kOptional, "All nodes of this rod, or the one at \"at\".")
+      .field("at", entry.at, PlaceOf(), kOptional, "Place on the rod, as a fraction of its rest length.")
+      .field("point", entry.point, point, kOptional, "The node nearest to this point.")
+      .field("within", entry.within, NumberOf{Measure::kLength, kPositive}, kOptional,
+             "How far it may be away; half a mean edge when absent.")
+      .field("box", entry.box, ListOf<VectorOf>{point, 2, 2}, kOptional,
+             "All nodes between the low and the high corner.");
+}
+
+constexpr ObjectOf<SelectorEntry> kSelector{"selector"};
+
+void selector_of(Reader& reader, const SelectorEntry& entry, Selector& selector) {
+  const int kinds = entry.rod.has_value() + entry.point.has_value() + entry.box.has_value();
+  if (kinds != 1) {
+    return reader.fail(kinds == 0 ? ErrorCode::kType : ErrorCode::kConflict,
+                       kinds == 0 ? "the selector names nothing" : "the selector names more than one thing",
+                       "give one of \"rod\", \"point\" and \"box\"; a list of selectors is their union");
+  }
+  if ((entry.at && !entry.rod) || (entry.within && !entry.point)) {
+    const Reader::Step step(reader, entry.at && !entry.rod ? "at" : "within");
+    return reader.fail(ErrorCode::kConflict,
+                       entry.at && !entry.rod ? "\"at\" is a place on a rod, but no rod is named"
+                                              : "\"within\" belongs to a \"point\", which is missing",
+                       "add it, or remove this key");
+  }
+  if (entry.rod) {
+    selector.kind = Selector::Kind::kRod;
+    selector.name = *entry.rod;
+    selector.fraction = entry.at.value_or(-1);
+  } else if (entry.point) {
+    selector.kind = Selector::Kind::kPoint;
+    selector.point = *entry.point;
+    selector.tolerance = entry.within.value_or(0);
+  } else {
+    selector.kind = Selector::Kind::kBox;
+    selector.low = (*entry.box)[0];
+    selector.high = (*entry.box)[1];
+  }
+}
+
+}  // namespace
+
+void SelectorOf::read(Reader& reader, const JsonValue& json, Selector& selector) const {
+  selector = {};
+  if (json.is(JsonValue::Kind::kString)) {
+    if (json.text.empty()) return reader.fail(ErrorCode::kUnknown, "the name of the set is empty");
+    selector.kind = Selector::Kind::kSet;
+    for (const auto& [word, kind] : kWords) {
+      if (word == json.text) selector.kind = kind;
+    }
+    if (selector.kind == Selector::Kind::kSet) selector.name = json.text;
+  } else if (json.is(JsonValue::Kind::kArray)) {
+    selector.kind = Selector::Kind::kUnion;
+    ListOf<SelectorOf>{{}, 1}.read(reader, json, selector.parts);
+  } else if (json.is(JsonValue::Kind::kObject)) {
+    SelectorEntry entry;
+    kSelector.read(reader, json, entry);
+    if (!reader.failed()) selector_of(reader, entry, selector);
+  } else {
+    reader.fail_kind("a selector such as \"all\", the name of a set, or {\"rod\": \"beam\", \"at\": \"end\"}", json);
+  }
+}
+
+JsonValue SelectorOf::write(const Selector& selector) const {
+  for (const auto& [word, kind] : kWords) {
+    if (kind == selector.kind) return JsonValue::string(word);
+  }
+  SelectorEntry entry;
+  switch (selector.kind) {
+    case Selector::Kind::kSet:
+      return JsonValue::string(selector.name);
+    case Selector::Kind::kUnion:
+      return ListOf<SelectorOf>{{}, 1}.write(selector.parts);
+    case Selector::Kind::kRod:
+      entry.rod = selector.name;
+      if (selector.fraction >= 0) entry.at = selector.fraction;
+      break;
+    case Selector::Kind::kPoint:
+      entry.point = selector.point;
+      if (selector.tolerance > 0) entry.within = selector.tolerance;
+      break;
+    default:
+      entry.box = {selector.low, selector.high};
+  }
+  return kSelector.write(entry);
+}
+
+JsonValue SelectorOf::schema(Schema& schema) const {
+  return schema.reference("nodes", [](Schema& inner) {
+    JsonValue name = TextOf{false}.schema(inner);
+    name.set("description", JsonValue::string("\"all\", \"joints\", \"boundary\", or the name of a set."));
+    return any_of({std::move(name), kSelector.schema(inner), ListOf<SelectorOf>{{}, 1}.schema(inner)});
+  });
+}
+
+}  // namespace lissom

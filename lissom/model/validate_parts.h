@@ -1,0 +1,61 @@
+#pragma once
+/// Helpers of Model::validate(): the first mistake wins, places are JSON pointers of the document.
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+/// The names of a model and the first mistake found in it.
+class Checker {
+ public:
+  explicit Checker(const Model& model);
+
+  const Model& model;
+  std::vector<std::string> rods, sets, poses, materials;  ///< names, in order
+
+  bool failed() const { return error_.has_value(); }
+  Status status() const { return error_ ? Status(*error_) : Status(); }
+  void fail(ErrorCode code, std::string where, std::string message, std::string hint = {});
+  void take(const Status& status);
+
+  void finite(double value, const std::string& where);
+  void finite(const Vec3& value, const std::string& where);
+  void positive(double value, const std::string& where, const std::string& what);
+  void not_negative(double value, const std::string& where, const std::string& what);
+  /// A direction that is finite and not zero; with `unit`, of length 1.
+  void direction(const Vec3& value, const std::string& where, bool unit = false);
+  void selector(const Selector& selector, const std::string& where);
+  /// `name` is one of `names`, the names of `what` ("pose").
+  void known(const std::string& name, const std::vector<std::string>& names, const std::string& what,
+             const std::string& where);
+  /// No name is empty or used twice; `where(i)` is the place of name i.
+  template <class Where>
+  void distinct(const std::vector<std::string>& names, const std::string& what, const Where& where) {
+    std::unordered_set<std::string> seen;
+    for (std::size_t i = 0; i < names.size() && !failed(); ++i) {
+      if (names[i].empty()) fail(ErrorCode::kUnknown, where(i), "the " + what + " has no name", "give it one");
+      if (seen.insert(names[i]).second) continue;
+      fail(ErrorCode::kConflict, where(i), "the name \"" + names[i] + "\" is used for two " + what + "s",
+           "rename one of them");
+    }
+  }
+
+ private:
+  const std::unordered_set<std::string>& lookup(const std::vector<std::string>& names);
+
+  std::unordered_set<std::string> rod_names_, set_names_, pose_names_, material_names_;
+  std::optional<Error> error_;
+};
+
+void check_curve(Checker& check, const Curve& curve, const std::string& where);
+void check_rod(Checker& check, const Rod& rod, const std::string& where);
+void check_pose(Checker& check, const Pose& pose, const std::string& where);
+void check_motion(Checker& check, const MotionCase& motion, const std::string& where);
+void check_expectation(Checker& check, const Expectation& expectation, const std::string& where);
+
+}  // namespace lissom

@@ -1,0 +1,93 @@
+#pragma once
+/// All numbers and names of a model as text, every double by its bits: two models are the same when their texts are.
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include "lissom/model/model.h"
+
+namespace lissom {
+
+class ModelBits {
+ public:
+  static std::string of(const Model& model) {
+    ModelBits bits;
+    bits.add(model);
+    return bits.text_;
+  }
+
+ private:
+  void add(double x) { text_ += std::to_string(std::bit_cast<std::uint64_t>(x)) + ' '; }
+  void add(int x) { text_ += std::to_string(x) + ' '; }
+  void add(bool x) { text_ += x ? "yes " : "no "; }
+  void add(const std::string& x) { text_ += '"' + x + "\" "; }
+  void add(const Vec3& x) { add_all(x[0], x[1], x[2]); }
+  void add(const Vec2& x) { add_all(x[0], x[1]); }
+  template <class E>
+  requires std::is_enum_v<E>
+  void add(E x) { add(static_cast<int>(x)); }
+  template <class T>
+  void add(const std::optional<T>& x) {
+    text_ += x ? "some " : "none ";
+    if (x) add(*x);
+  }
+  template <class T>
+  void add(const std::vector<T>& list) {
+    text_ += std::to_string(list.size()) + ": ";
+    for (const T& x : list) add(x);
+  }
+  void add(const Polyline& x) { add_all(x.points, x.closed); }
+  void add(const Spline& x) { add_all(x.points, x.closed); }
+  void add(const Arc& x) { add_all(x.centre, x.start, x.axis, x.angle, x.closed); }
+  void add(const Helix& x) { add_all(x.centre, x.start, x.axis, x.pitch, x.turns); }
+  void add(const Curve& x) {
+    add(static_cast<int>(x.index()));
+    std::visit([this](const auto& curve) { add(curve); }, x);
+  }
+  void add(const Material& x) {
+    add_all(x.name, x.youngs_modulus, x.poisson_ratio, x.density, x.strain_limit, x.source);
+  }
+  void add(const SectionProfile& x) { add_all(x.shape, x.r_n, x.r_b, x.wall); }
+  void add(const MaterialAxes& x) { add_all(x.kind, x.normal, x.normals); }
+  void add(const Natural& x) { add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.curve, x.axes); }
+  void add(const Rod& x) { add_all(x.name, x.curve, x.material, x.section, x.axes, x.natural, x.edges, x.edge_length); }
+  void add(const Selector& x) { add_all(x.kind, x.name, x.fraction, x.point, x.tolerance, x.low, x.high, x.parts); }
+  void add(const JointChoice& x) { add_all(x.at, x.kind); }
+  void add(const NamedSet& x) { add_all(x.name, x.nodes); }
+  void add(const Support& x) {
+    add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.turn_axis,
+            x.turn_angle);
+  }
+  void add(const SoftPin& x) { add_all(x.at, x.stiffness, x.target); }
+  void add(const PointForce& x) { add_all(x.at, x.force, x.shared, x.scaling); }
+  void add(const PointMoment& x) { add_all(x.at, x.moment, x.scaling); }
+  void add(const LineLoad& x) { add_all(x.rods, x.force_per_length, x.scaling); }
+  void add(const Gravity& x) { add_all(x.acceleration, x.scaling); }
+  void add(const LoadPath& x) { add_all(x.from, x.to, x.steps, x.follow, x.stop_at_critical, x.switch_branch); }
+  void add(const Seed& x) { add_all(x.direction, x.amplitude); }
+  void add(const Pose& x) {
+    add_all(x.name, x.supports, x.soft_pins, x.forces, x.moments, x.line_loads, x.gravity, x.path, x.seed, x.frozen);
+  }
+  void add(const MotionCase::Kick& x) { add_all(x.at, x.velocity); }
+  void add(const MotionCase& x) {
+    add_all(x.name, x.start_pose, x.pose, x.duration, x.step, x.record_every, x.adaptive, x.error_tolerance,
+            x.rho_infinity, x.mass_damping, x.stiffness_damping, x.roll_inertia, x.load_factor, x.kicks);
+  }
+  void add(const Expectation& x) {
+    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.fraction, x.mode, x.mode_kind, x.edges, x.scale,
+            x.offset, x.value, x.unit, x.tolerance_relative, x.tolerance_absolute, x.source);
+  }
+  void add(const Model& x) {
+    add_all(x.title, x.source, x.materials, x.rods, x.joint_kind, x.joint_weights, x.joints, x.merge_distance,
+            x.torsion, x.sets, x.poses, x.motions, x.expectations);
+  }
+  template <class... T>
+  void add_all(const T&... x) {
+    ((add(x), text_ += '\n'), ...);
+  }
+
+  std::string text_;
+};
+
+}  // namespace lissom
