@@ -136,6 +136,8 @@ void describe(Fields& fields, ExpectationEntry& entry) {
              "Which modes are counted: \"bending\", \"axial\" or \"torsional\".")
       .field("edges", e.edges, ListOf<IntegerOf>{{1, 10'000'000}, 1}, kOptional,
              "Numbers of edges, for orders of convergence and extrapolated values.")
+      .field("combine", e.combine, TextOf{false}, kOptional,
+             "What is made of several measurements: \"difference\", \"ratio\", \"order\" or \"limit\".")
       .field("divide_by", e.scale, FreeNumberOf{kNotZero}, kOptional,
              "The measured value is divided by this; bare numbers are SI.")
       .field("offset", e.offset, free, kOptional, "This is subtracted first; bare numbers are SI.")

@@ -198,6 +198,13 @@ void check_expectation(Checker& check, const Expectation& expectation, const std
     check.fail(ErrorCode::kUnknown, where + "/mode_kind", "there is no kind of mode \"" + expectation.mode_kind + "\"",
                suggestion(expectation.mode_kind, kinds));
   }
+  const std::vector<std::string> combinations = {"difference", "ratio", "order", "limit"};
+  if (!expectation.combine.empty() &&
+      std::find(combinations.begin(), combinations.end(), expectation.combine) == combinations.end()) {
+    check.fail(ErrorCode::kUnknown, where + "/combine",
+               "measurements cannot be combined by \"" + expectation.combine + "\"",
+               suggestion(expectation.combine, combinations));
+  }
   check.finite(expectation.scale, where + "/divide_by");
   if (expectation.scale == 0) check.fail(ErrorCode::kRange, where + "/divide_by", "this number must not be zero");
   check.finite(expectation.offset, where + "/offset");
