@@ -1,7 +1,6 @@
 #include "lissom/core/sparse_pattern.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
@@ -72,21 +71,6 @@ TEST(SparsePattern, MatchesSetsOnAHoneycomb) {
   }
   EXPECT_EQ(p.nonzeros(), static_cast<int>(expected.size()));
   for (const auto& [i, j] : expected) ASSERT_GE(p.slot(i, j), 0);
-}
-
-TEST(SparsePattern, TimeGrowsInProportion) {
-  const auto seconds = [](int nodes) {
-    const rod_matrices::Blocks b = rod_matrices::chain(nodes);
-    double best = 1e300;
-    for (int repeat = 0; repeat < 3; ++repeat) {
-      const auto begin = std::chrono::steady_clock::now();
-      const SparsePattern p = b.pattern();
-      EXPECT_EQ(p.size(), b.size);
-      best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    }
-    return best;
-  };
-  EXPECT_LT(seconds(64000) / seconds(4000), 16 * 6.0);  // quadratic time would be 256
 }
 
 TEST(Multiply, AgreesWithTheDenseProduct) {
