@@ -11,10 +11,14 @@ namespace {
 /// What a number of these limits has to be; empty when `value` is.
 std::string limits_broken(double value, Limits limits) {
   switch (limits.kind) {
-    case Limits::Kind::kAny: return {};
-    case Limits::Kind::kPositive: return value > 0 ? "" : "has to be positive";
-    case Limits::Kind::kNotNegative: return value >= 0 ? "" : "must not be negative";
-    case Limits::Kind::kNotZero: return value != 0 ? "" : "must not be zero";
+    case Limits::Kind::kAny:
+      return {};
+    case Limits::Kind::kPositive:
+      return value > 0 ? "" : "has to be positive";
+    case Limits::Kind::kNotNegative:
+      return value >= 0 ? "" : "must not be negative";
+    case Limits::Kind::kNotZero:
+      return value != 0 ? "" : "must not be zero";
     case Limits::Kind::kBetween:
       if (value >= limits.low && value <= limits.high) return {};
       return "has to be between " + number_text(limits.low) + " and " + number_text(limits.high);
@@ -189,7 +193,8 @@ void DirectionOf::read(Reader& reader, const JsonValue& json, Vec3& value) const
   if (!json.is(JsonValue::Kind::kArray)) return reader.fail_kind("a direction [x, y, z] or \"x\", \"y\", \"z\"", json);
   VectorOf{Measure::kRatio}.read(reader, json, value);
   if (reader.failed()) return;
-  if (value.isZero(0)) return reader.fail(ErrorCode::kRange, "a direction must not be zero", "write for example [0, 0, 1]");
+  if (value.isZero(0))
+    return reader.fail(ErrorCode::kRange, "a direction must not be zero", "write for example [0, 0, 1]");
   value = unit_direction(value);
 }
 

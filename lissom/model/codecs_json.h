@@ -132,7 +132,8 @@ struct ListOf {
       const std::string wanted = least == most ? std::to_string(least)
                                  : n < least   ? "at least " + std::to_string(least)
                                                : "at most " + std::to_string(most);
-      return reader.fail(ErrorCode::kType, "expected " + wanted + (wanted == "1" || wanted.ends_with(" 1") ? " entry" : " entries") +
+      return reader.fail(ErrorCode::kType, "expected " + wanted +
+                                               (wanted == "1" || wanted.ends_with(" 1") ? " entry" : " entries") +
                                                ", got " + std::to_string(n));
     }
     value.resize(n);
@@ -201,7 +202,9 @@ struct TableOf {
     return json;
   }
   JsonValue schema(Schema& schema) const {
-    return JsonValue::object().set("type", JsonValue::string("object")).set("additionalProperties", codec.schema(schema));
+    return JsonValue::object()
+        .set("type", JsonValue::string("object"))
+        .set("additionalProperties", codec.schema(schema));
   }
 };
 

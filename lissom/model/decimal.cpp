@@ -65,6 +65,18 @@ std::optional<double> to_double(const Decimal& decimal, int shift) {
   return value;
 }
 
+Decimal times(const Decimal& decimal, int factor) {
+  Decimal product = decimal;
+  long carry = 0;
+  for (std::size_t i = product.digits.size(); i-- > 0;) {
+    carry += static_cast<long>(product.digits[i] - '0') * factor;
+    product.digits[i] = static_cast<char>('0' + carry % 10);
+    carry /= 10;
+  }
+  if (carry > 0) product.digits = std::to_string(carry) + product.digits;
+  return product;
+}
+
 std::string to_text(const Decimal& decimal) {
   const std::string sign = decimal.negative ? "-" : "";
   const std::size_t first = decimal.digits.find_first_not_of('0');
@@ -76,7 +88,8 @@ std::string to_text(const Decimal& decimal) {
   const long point = count + exponent;  // digits before the decimal point
   if (exponent >= 0 && point <= 9) return sign + digits + std::string(static_cast<std::size_t>(exponent), '0');
   if (exponent < 0 && point > 0 && point <= 17) {
-    return sign + digits.substr(0, static_cast<std::size_t>(point)) + "." + digits.substr(static_cast<std::size_t>(point));
+    return sign + digits.substr(0, static_cast<std::size_t>(point)) + "." +
+           digits.substr(static_cast<std::size_t>(point));
   }
   if (point <= 0 && point > -4) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
   const std::string mantissa = count == 1 ? digits : digits.substr(0, 1) + "." + digits.substr(1);

@@ -23,6 +23,9 @@ Decimal shortest_decimal(double value);
 /// Nearest double of decimal * 10^shift; nothing when it is too large or too small to be held.
 std::optional<double> to_double(const Decimal& decimal, int shift);
 
+/// The decimal times a whole number of at most six digits, exactly.
+Decimal times(const Decimal& decimal, int factor);
+
 /// "0.8", "12000", "3.31e+09", "-0.0".
 std::string to_text(const Decimal& decimal);
 

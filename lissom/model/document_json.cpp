@@ -1,7 +1,6 @@
-#include "lissom/model/document.h"
-
 #include <charconv>
 
+#include "lissom/model/document.h"
 #include "lissom/model/entries_json.h"
 
 namespace lissom {
@@ -9,9 +8,8 @@ namespace {
 
 constexpr std::pair<std::string_view, TorsionModel> kTorsions[] = {{"saint_venant", TorsionModel::kSaintVenant},
                                                                    {"polar", TorsionModel::kPolar}};
-constexpr std::pair<std::string_view, JointKind> kJointKinds[] = {{"explicit", JointKind::kExplicit},
-                                                                  {"corotational", JointKind::kCorotational},
-                                                                  {"ball", JointKind::kBall}};
+constexpr std::pair<std::string_view, JointKind> kJointKinds[] = {
+    {"explicit", JointKind::kExplicit}, {"corotational", JointKind::kCorotational}, {"ball", JointKind::kBall}};
 constexpr std::pair<std::string_view, JointWeights> kJointWeights[] = {{"energy", JointWeights::kEnergy},
                                                                        {"thesis", JointWeights::kThesis}};
 
@@ -33,13 +31,14 @@ struct UnitOf {
   Measure measure;
   void read(Reader& reader, const JsonValue& json, std::optional<Unit>& unit) const {
     const MeasureInfo& what = info(measure);
-    if (!json.is(JsonValue::Kind::kString)) return reader.fail_kind("a unit such as \"" + std::string(what.si_unit) + "\"", json);
+    if (!json.is(JsonValue::Kind::kString))
+      return reader.fail_kind("a unit such as \"" + std::string(what.si_unit) + "\"", json);
     Result<Unit> parsed = parse_unit(json.text);
     if (!parsed) return reader.fail(parsed.error());
     if (!compatible(dimension(measure), parsed.value().dimension)) {
-      return reader.fail(ErrorCode::kUnit,
-                         "expected a unit of " + std::string(what.name) + " such as \"" + std::string(what.si_unit) +
-                             "\", got one of " + in_words(parsed.value().dimension));
+      return reader.fail(ErrorCode::kUnit, "expected a unit of " + std::string(what.name) + " such as \"" +
+                                               std::string(what.si_unit) + "\", got one of " +
+                                               in_words(parsed.value().dimension));
     }
     unit = std::move(parsed).value();
   }
@@ -53,7 +52,9 @@ struct UnitSlot {
 };
 struct UnitSlotOf {
   Measure measure;
-  void read(Reader& reader, const JsonValue& json, UnitSlot& slot) const { UnitOf{measure}.read(reader, json, slot.unit); }
+  void read(Reader& reader, const JsonValue& json, UnitSlot& slot) const {
+    UnitOf{measure}.read(reader, json, slot.unit);
+  }
   JsonValue write(const UnitSlot& slot) const { return UnitOf{measure}.write(slot.unit); }
   JsonValue schema(Schema& schema) const { return UnitOf{measure}.schema(schema); }
 };
@@ -126,9 +127,12 @@ struct DocumentEntry {
 void describe(Fields& fields, JointsEntry& joints) {
   fields
       .field("kind", joints.kind, ChoiceOf<JointKind>{kJointKinds}, kOptional,
-             "How rods that meet hold each other: with a rotation of its own, with one that follows the rods, or not at all.")
-      .field("weights", joints.weights, ChoiceOf<JointWeights>{kJointWeights}, kOptional, "Weights of corotational joints.")
-      .field("exceptions", joints.exceptions, ListOf<ObjectOf<JointChoice>>{{"joint"}}, kOptional, "Joints of another kind.")
+             "How rods that meet hold each other: with a rotation of its own, with one that follows the rods, or not "
+             "at all.")
+      .field("weights", joints.weights, ChoiceOf<JointWeights>{kJointWeights}, kOptional,
+             "Weights of corotational joints.")
+      .field("exceptions", joints.exceptions, ListOf<ObjectOf<JointChoice>>{{"joint"}}, kOptional,
+             "Joints of another kind.")
       .field("merge_distance", joints.merge_distance, MergeDistanceOf(), kOptional,
              "Nodes closer than this are one, or \"never\"; a millionth of the size when absent.");
 }
@@ -145,7 +149,8 @@ void describe(Fields& fields, DocumentEntry& document) {
              "Materials besides the library, by name.")
       .field("rods", m.rods, ListOf<RodOf>{}, kOptional, "Rods.")
       .field("networks", document.networks, ListOf<NetworkOf>{}, kOptional, "Line networks, expanded into rods.")
-      .field("joints", document.joints, ObjectOf<JointsEntry>{"joint settings"}, kOptional, "How rods that meet hold each other.")
+      .field("joints", document.joints, ObjectOf<JointsEntry>{"joint settings"}, kOptional,
+             "How rods that meet hold each other.")
       .field("sets", m.sets, TableOf<NamedSetOf, NamedSet>{{}, &NamedSet::name}, kOptional, "Named sets of nodes.")
       .field("poses", m.poses, ListOf<PoseOf>{}, kOptional, "Situations: what is held, moved and loaded.")
       .field("motions", m.motions, ListOf<MotionOf>{}, kOptional, "Motions in time.")
@@ -167,7 +172,8 @@ Model assembled(DocumentEntry&& document) {
 }
 
 /// Rods of networks come after the others; a mistake in one of them is reported where the document says it.
-std::string place_in_document(const std::string& where, std::size_t plain_rods, const std::vector<std::size_t>& networks) {
+std::string place_in_document(const std::string& where, std::size_t plain_rods,
+                              const std::vector<std::size_t>& networks) {
   constexpr std::string_view kRods = "/rods/";
   if (!where.starts_with(kRods)) return where;
   std::size_t index = 0;
@@ -196,14 +202,18 @@ void describe(Fields& fields, JointChoice& choice) {
 
 Result<Model> read_document(std::string_view text, const std::filesystem::path& folder) {
   if (text.size() > kLargestDocument) {
-    return Error{ErrorCode::kFile, {}, "the document is larger than " + std::to_string(kLargestDocument >> 20) + " MB",
+    return Error{ErrorCode::kFile,
+                 {},
+                 "the document is larger than " + std::to_string(kLargestDocument >> 20) + " MB",
                  "is it the right file?"};
   }
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const Result<JsonValue> json = parse_json(text, kDeepestDocument);
   if (!json) return json.error();
   if (!json.value().is(JsonValue::Kind::kObject) || !json.value().find("lissom")) {
-    return Error{ErrorCode::kType, {}, "this is not a lissom document: the key \"lissom\" with the version is missing",
+    return Error{ErrorCode::kType,
+                 {},
+                 "this is not a lissom document: the key \"lissom\" with the version is missing",
                  "a document begins with {\"lissom\": 1, ...}"};
   }
   Reader reader(folder);

@@ -12,12 +12,14 @@ void describe(Fields& fields, Arc& arc) {
   fields.field("centre", arc.centre, kPoint, kRequired, "Centre of the circle.")
       .field("start", arc.start, kPoint, kRequired, "Where the arc begins; its distance from the axis is the radius.")
       .field("axis", arc.axis, DirectionOf(), kOptional, "Axis of the turn, right-handed.")
-      .field("angle", arc.angle, NumberOf{Measure::kAngle, kNotZero}, kRequired, "Angle of the turn; 360 deg is a full circle.");
+      .field("angle", arc.angle, NumberOf{Measure::kAngle, kNotZero}, kRequired,
+             "Angle of the turn; 360 deg is a full circle.");
 }
 
 void describe(Fields& fields, Helix& helix) {
   fields.field("centre", helix.centre, kPoint, kRequired, "A point of the axis.")
-      .field("start", helix.start, kPoint, kRequired, "Where the helix begins; its distance from the axis is the radius.")
+      .field("start", helix.start, kPoint, kRequired,
+             "Where the helix begins; its distance from the axis is the radius.")
       .field("axis", helix.axis, DirectionOf(), kOptional, "Direction of the axis.")
       .field("pitch", helix.pitch, NumberOf{Measure::kLength}, kRequired, "Rise along the axis per turn.")
       .field("turns", helix.turns, NumberOf{Measure::kRatio, kNotZero}, kRequired,
@@ -26,7 +28,8 @@ void describe(Fields& fields, Helix& helix) {
 
 void describe_curve(Fields& fields, CurveEntry& entry) {
   fields
-      .field("polyline", entry.polyline, kPoints, kOptional, "Straight pieces between points; every point becomes a node.")
+      .field("polyline", entry.polyline, kPoints, kOptional,
+             "Straight pieces between points; every point becomes a node.")
       .field("spline", entry.spline, kPoints, kOptional, "Smooth curve through control points (Catmull-Rom).")
       .field("line", entry.line, ListOf<VectorOf>{kPoint, 2, 2}, kOptional, "Straight line between two points.")
       .field("arc", entry.arc, ObjectOf<Arc>{"arc"}, kOptional, "Circular arc.")

@@ -24,9 +24,13 @@ struct FreeNumberOf {
       reader.fail(ErrorCode::kRange, "this number must not be zero");
     }
   }
-  JsonValue write(double value) const { return std::isfinite(value) ? JsonValue::number(number_text(value)) : JsonValue(); }
+  JsonValue write(double value) const {
+    return std::isfinite(value) ? JsonValue::number(number_text(value)) : JsonValue();
+  }
   JsonValue schema(Schema& schema) const {
-    return schema.reference("number_with_any_unit", [](Schema&) { return any_of({type_schema("number"), type_schema("string")}); });
+    return schema.reference("number_with_any_unit", [](Schema&) {
+      return any_of({type_schema("number"), type_schema("string")});
+    });
   }
 };
 
@@ -116,9 +120,11 @@ void describe(Fields& fields, ExpectationEntry& entry) {
   Expectation& e = entry.model;
   const FreeNumberOf free;
   fields.field("label", e.label, TextOf(), kOptional, "Free text, printed.")
-      .field("quantity", e.quantity, TextOf{false}, kRequired, "What is measured; `lissom verify --quantities` lists them.")
+      .field("quantity", e.quantity, TextOf{false}, kRequired,
+             "What is measured; `lissom verify --quantities` lists them.")
       .field("pose", entry.pose, TextOf{false}, kOptional, "The pose to measure in.")
-      .field("poses", e.poses, ListOf<TextOf>{{false}}, kOptional, "Several poses, one value each; all in order when absent.")
+      .field("poses", e.poses, ListOf<TextOf>{{false}}, kOptional,
+             "Several poses, one value each; all in order when absent.")
       .field("at", e.at, SelectorOf(), kOptional, "Where.")
       .field("to", e.to, SelectorOf(), kOptional, "Second place, for distances and differences.")
       .field("axis", e.axis, DirectionOf(), kOptional, "Direction in which it is measured.")
@@ -126,14 +132,19 @@ void describe(Fields& fields, ExpectationEntry& entry) {
       .field("fraction", entry.fraction, NumberOf{Measure::kRatio, between(0, 1)}, kOptional,
              "Place along the rod, as a fraction of its rest length.")
       .field("mode", entry.mode, IntegerOf{}, kOptional, "Number of a mode, 0 is the lowest.")
-      .field("mode_kind", e.mode_kind, TextOf(), kOptional, "Which modes are counted: \"bending\", \"axial\" or \"torsional\".")
+      .field("mode_kind", e.mode_kind, TextOf(), kOptional,
+             "Which modes are counted: \"bending\", \"axial\" or \"torsional\".")
       .field("edges", e.edges, ListOf<IntegerOf>{{1, 10'000'000}, 1}, kOptional,
              "Numbers of edges, for orders of convergence and extrapolated values.")
+      .field("combine", e.combine, TextOf{false}, kOptional,
+             "What is made of several measurements: \"difference\", \"ratio\", \"order\" or \"limit\".")
       .field("divide_by", e.scale, FreeNumberOf{kNotZero}, kOptional,
              "The measured value is divided by this; bare numbers are SI.")
       .field("offset", e.offset, free, kOptional, "This is subtracted first; bare numbers are SI.")
-      .field("unit", e.unit, UnitNameOf(), kOptional, "Unit of bare numbers in value and tolerance, and of the printed table.")
-      .field("value", e.value, OneOrListOf<ClaimOf>{{&e.unit}}, kRequired, "The claimed value; a list has one per pose.")
+      .field("unit", e.unit, UnitNameOf(), kOptional,
+             "Unit of bare numbers in value and tolerance, and of the printed table.")
+      .field("value", e.value, OneOrListOf<ClaimOf>{{&e.unit}}, kRequired,
+             "The claimed value; a list has one per pose.")
       .field("tolerance", entry.tolerance, ToleranceOf{&e.unit}, kRequired,
              "Allowed deviation: \"0.5 %\" of the value, or a number like the value.")
       .field("source", e.source, TextOf(), kOptional, "Where the value comes from.");

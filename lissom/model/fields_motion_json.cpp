@@ -21,9 +21,11 @@ void describe(Fields& fields, MotionCase& motion) {
              "Error per step relative to the size of the structure.")
       .field("rho_infinity", motion.rho_infinity, NumberOf{Measure::kRatio, between(0, 1)}, kOptional,
              "Numerical damping: what is left of the fastest motions after a step; 1 is none.")
-      .field("mass_damping", motion.mass_damping, NumberOf{Measure::kRate, kNotNegative}, kOptional, "Rayleigh damping by mass.")
+      .field("mass_damping", motion.mass_damping, NumberOf{Measure::kRate, kNotNegative}, kOptional,
+             "Rayleigh damping by mass.")
       .field("stiffness_damping", motion.stiffness_damping, time, kOptional, "Rayleigh damping by stiffness.")
-      .field("roll_inertia", motion.roll_inertia, FlagOf(), kOptional, "Whether turning about the rod axis has inertia.")
+      .field("roll_inertia", motion.roll_inertia, FlagOf(), kOptional,
+             "Whether turning about the rod axis has inertia.")
       .field("load_factor", motion.load_factor, ListOf<PairOf>{{Measure::kTime, Measure::kRatio}, 1}, kOptional,
              "[time, load factor] pairs, linear in between; 1 throughout when absent.")
       .field("kicks", motion.kicks, ListOf<ObjectOf<MotionCase::Kick>>{{"kick"}}, kOptional, "Initial velocities.");

@@ -11,6 +11,9 @@ constexpr std::string_view kScalingText = "Whether it grows with the load factor
 constexpr std::pair<std::string_view, LoadPath::Follow> kFollows[] = {{"load", LoadPath::Follow::kLoad},
                                                                       {"arc_length", LoadPath::Follow::kArcLength}};
 
+constexpr std::pair<std::string_view, RigidMotion> kRigidMotions[] = {
+    {"remove_neutral", RigidMotion::kRemoveNeutral}, {"remove", RigidMotion::kRemove}};
+
 /// true, "9.81 m/s^2" (downwards, along -z), [x, y, z], or an object.
 struct GravityOf {
   void read(Reader& reader, const JsonValue& json, Gravity& gravity) const {
@@ -18,10 +21,13 @@ struct GravityOf {
     const NumberOf magnitude{Measure::kAcceleration, kNotNegative};
     switch (json.kind) {
       case JsonValue::Kind::kBool:
-        if (!json.flag) reader.fail(ErrorCode::kType, "gravity is either true or given", "remove the key where there is none");
+        if (!json.flag)
+          reader.fail(ErrorCode::kType, "gravity is either true or given", "remove the key where there is none");
         return;
-      case JsonValue::Kind::kArray: return VectorOf{Measure::kAcceleration}.read(reader, json, gravity.acceleration);
-      case JsonValue::Kind::kObject: return object().read(reader, json, gravity);
+      case JsonValue::Kind::kArray:
+        return VectorOf{Measure::kAcceleration}.read(reader, json, gravity.acceleration);
+      case JsonValue::Kind::kObject:
+        return object().read(reader, json, gravity);
       default: {
         double g = 0;
         magnitude.read(reader, json, g);
@@ -56,20 +62,24 @@ void describe(Fields& fields, Gravity& gravity) {
 
 void describe(Fields& fields, SoftPin& pin) {
   fields.field("at", pin.at, SelectorOf(), kRequired, "The nodes that are pulled.")
-      .field("stiffness", pin.stiffness, NumberOf{Measure::kForcePerLength, kPositive}, kRequired, "Spring stiffness per node.")
-      .field("target", pin.target, VectorOf{Measure::kLength}, kOptional, "Where to; where the node is drawn when absent.");
+      .field("stiffness", pin.stiffness, NumberOf{Measure::kForcePerLength, kPositive}, kRequired,
+             "Spring stiffness per node.")
+      .field("target", pin.target, VectorOf{Measure::kLength}, kOptional,
+             "Where to; where the node is drawn when absent.");
 }
 
 void describe(Fields& fields, PointForce& force) {
   fields.field("at", force.at, SelectorOf(), kRequired, "The loaded nodes.")
-      .field("force", force.force, VectorOf{Measure::kForce}, kRequired, "Dead force on each node, or on all when shared.")
+      .field("force", force.force, VectorOf{Measure::kForce}, kRequired,
+             "Dead force on each node, or on all when shared.")
       .field("shared", force.shared, FlagOf(), kOptional, "Whether the force is split equally among the nodes.")
       .field("scaling", force.scaling, kScaling, kOptional, kScalingText);
 }
 
 void describe(Fields& fields, PointMoment& moment) {
   fields.field("at", moment.at, SelectorOf(), kRequired, "The loaded nodes.")
-      .field("moment", moment.moment, VectorOf{Measure::kMoment}, kRequired, "Moment on each node, axes fixed in space.")
+      .field("moment", moment.moment, VectorOf{Measure::kMoment}, kRequired,
+             "Moment on each node, axes fixed in space.")
       .field("scaling", moment.scaling, kScaling, kOptional, kScalingText);
 }
 
@@ -86,7 +96,8 @@ void describe(Fields& fields, LoadPath& path) {
       .field("steps", path.steps, IntegerOf{1, 1'000'000}, kOptional, "Number of recorded states.")
       .field("follow", path.follow, ChoiceOf<LoadPath::Follow>{kFollows}, kOptional,
              "What is stepped: the load factor, or the length of the path (passes folds).")
-      .field("stop_at_critical", path.stop_at_critical, FlagOf(), kOptional, "Whether the path ends at the first critical point.")
+      .field("stop_at_critical", path.stop_at_critical, FlagOf(), kOptional,
+             "Whether the path ends at the first critical point.")
       .field("switch_branch", path.switch_branch, FlagOf(), kOptional,
              "Whether the path continues on the other branch at the first bifurcation.");
 }
@@ -99,11 +110,16 @@ void describe(Fields& fields, Seed& seed) {
 
 void describe(Fields& fields, Pose& pose) {
   fields.field("name", pose.name, TextOf{false}, kRequired, "Name of the pose.")
+      .field("rigid_motion", pose.rigid_motion, ChoiceOf<RigidMotion>{kRigidMotions}, kOptional,
+             "Which rigid motions are taken out that no support prevents: those that the loads do not notice, or all on "
+             "which they do no work.")
       .field("supports", pose.supports, ListOf<SupportOf>{}, kOptional, "What is held, moved and turned.")
-      .field("soft_pins", pose.soft_pins, ListOf<ObjectOf<SoftPin>>{{"soft pin"}}, kOptional, "Springs to points in space.")
+      .field("soft_pins", pose.soft_pins, ListOf<ObjectOf<SoftPin>>{{"soft pin"}}, kOptional,
+             "Springs to points in space.")
       .field("forces", pose.forces, ListOf<ObjectOf<PointForce>>{{"force"}}, kOptional, "Point forces.")
       .field("moments", pose.moments, ListOf<ObjectOf<PointMoment>>{{"moment"}}, kOptional, "Point moments.")
-      .field("line_loads", pose.line_loads, ListOf<ObjectOf<LineLoad>>{{"line load"}}, kOptional, "Loads spread along rods.")
+      .field("line_loads", pose.line_loads, ListOf<ObjectOf<LineLoad>>{{"line load"}}, kOptional,
+             "Loads spread along rods.")
       .field("gravity", pose.gravity, GravityOf(), kOptional,
              "true (9.81 m/s^2 along -z), a magnitude, a vector, or an object; absent: none.")
       .field("path", pose.path, ObjectOf<LoadPath>{"path"}, kOptional, "Load factors to visit.")

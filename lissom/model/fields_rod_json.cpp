@@ -14,11 +14,11 @@ struct RodSettings {
 };
 
 void describe_settings(Fields& fields, RodSettings& rod) {
-  fields
-      .field("edges", rod.edges, IntegerOf{1, 10'000'000}, kOptional, "Number of edges (or give edge_length).")
+  fields.field("edges", rod.edges, IntegerOf{1, 10'000'000}, kOptional, "Number of edges (or give edge_length).")
       .field("edge_length", rod.edge_length, NumberOf{Measure::kLength, kPositive}, kOptional,
              "Length that the edges should have (or give edges).")
-      .field("material", rod.material, TextOf{false}, kRequired, "Name of a material of the document or of the library.")
+      .field("material", rod.material, TextOf{false}, kRequired,
+             "Name of a material of the document or of the library.")
       .field("section", rod.section, SectionOf(), kRequired, "Cross-section.")
       .field("axes", rod.axes, AxesOf(), kOptional, "Where the material axis n points.")
       .field("natural", rod.natural, NaturalOf(), kOptional, "The shape that is free of stress.");
@@ -44,7 +44,9 @@ struct NetworkEntry {
 };
 
 void describe(Fields& fields, NetworkEntry& network) {
-  fields.field("name", network.name, TextOf{false}, kRequired, "Its rods are called NAME-0, NAME-1, ... in the order of the lines.")
+  fields
+      .field("name", network.name, TextOf{false}, kRequired,
+             "Its rods are called NAME-0, NAME-1, ... in the order of the lines.")
       .field("points", network.points, ListOf<VectorOf>{{Measure::kLength}, 2}, kRequired, "Points, counted from 0.")
       .field("lines", network.lines, ListOf<ListOf<IntegerOf>>{{{}, 2}, 1}, kRequired,
              "One rod each: the numbers of the points that it runs through.");
@@ -57,9 +59,10 @@ constexpr ObjectOf<NetworkEntry> kNetwork{"network"};
 void apply(Reader& reader, const RodSettings& settings, Rod& rod) {
   if ((settings.edges > 0) == (settings.edge_length > 0)) {
     const bool both = settings.edges > 0;
-    return reader.fail(both ? ErrorCode::kConflict : ErrorCode::kType,
-                       both ? "both \"edges\" and \"edge_length\" are given" : "neither \"edges\" nor \"edge_length\" is given",
-                       both ? "keep one of them" : "say into how many edges the rod is cut, for example \"edges\": 50");
+    return reader.fail(
+        both ? ErrorCode::kConflict : ErrorCode::kType,
+        both ? "both \"edges\" and \"edge_length\" are given" : "neither \"edges\" nor \"edge_length\" is given",
+        both ? "keep one of them" : "say into how many edges the rod is cut, for example \"edges\": 50");
   }
   rod.edges = settings.edges;
   rod.edge_length = settings.edge_length;
@@ -73,9 +76,12 @@ void apply(Reader& reader, const RodSettings& settings, Rod& rod) {
 
 void describe(Fields& fields, Material& material) {
   fields
-      .field("youngs_modulus", material.youngs_modulus, NumberOf{Measure::kStress, kPositive}, kRequired, "Young's modulus.")
-      .field("poisson_ratio", material.poisson_ratio, NumberOf{Measure::kRatio, between(-1, 0.5)}, kRequired, "Poisson ratio.")
-      .field("density", material.density, NumberOf{Measure::kDensity, kNotNegative}, kOptional, "Density; 0 is weightless.")
+      .field("youngs_modulus", material.youngs_modulus, NumberOf{Measure::kStress, kPositive}, kRequired,
+             "Young's modulus.")
+      .field("poisson_ratio", material.poisson_ratio, NumberOf{Measure::kRatio, between(-1, 0.5)}, kRequired,
+             "Poisson ratio.")
+      .field("density", material.density, NumberOf{Measure::kDensity, kNotNegative}, kOptional,
+             "Density; 0 is weightless.")
       .field("strain_limit", material.strain_limit, NumberOf{Measure::kRatio, kPositive}, kOptional,
              "Largest strain in use (yield or fatigue).")
       .field("source", material.source, TextOf(), kOptional, "Where the numbers come from.");

@@ -20,8 +20,9 @@ struct SectionEntry {
 void describe(Fields& fields, SectionEntry& entry) {
   const OneOrListOf<NumberOf> lengths{{Measure::kLength, kPositive}};
   fields.field("shape", entry.shape, ChoiceOf<SectionShape>{kShapes}, kOptional, "Shape of the cross-section.")
-      .field("radius", entry.radius, lengths, kOptional,
-             "Radius of a round rod or outer radius of a tube; a list gives values at evenly spaced places along the rod.")
+      .field(
+          "radius", entry.radius, lengths, kOptional,
+          "Radius of a round rod or outer radius of a tube; a list gives values at evenly spaced places along the rod.")
       .field("r_n", entry.r_n, lengths, kOptional, "Half-axis of an ellipse along the material axis n (out of plane).")
       .field("r_b", entry.r_b, lengths, kOptional, "Half-axis of an ellipse along b = n x t (in plane).")
       .field("thickness", entry.thickness, lengths, kOptional, "Full thickness of a rectangle along n.")
@@ -52,14 +53,17 @@ void section_of(Reader& reader, const SectionEntry& entry, SectionProfile& secti
   const std::string hint = ellipse ? "give \"radius\", or \"r_n\" and \"r_b\""
                            : tube  ? "give \"radius\" and \"wall\""
                                    : "give \"thickness\" and \"width\"";
-  const Extent extents[] = {{&entry.radius, "radius", round},           {&entry.r_n, "r_n", ellipse && !round},
-                            {&entry.r_b, "r_b", ellipse && !round},     {&entry.thickness, "thickness", rectangle},
+  const Extent extents[] = {{&entry.radius, "radius", round},
+                            {&entry.r_n, "r_n", ellipse && !round},
+                            {&entry.r_b, "r_b", ellipse && !round},
+                            {&entry.thickness, "thickness", rectangle},
                             {&entry.width, "width", rectangle}};
   for (const Extent& extent : extents) {
     if (!extent.value->has_value() || extent.wanted) continue;
     const Reader::Step step(reader, extent.key);
-    return reader.fail(ErrorCode::kConflict,
-                       "\"" + std::string(extent.key) + "\" does not belong to this section, which is " + std::string(name), hint);
+    return reader.fail(
+        ErrorCode::kConflict,
+        "\"" + std::string(extent.key) + "\" does not belong to this section, which is " + std::string(name), hint);
   }
   for (const Extent& extent : extents) {
     if (extent.wanted && !extent.value->has_value()) {
@@ -122,8 +126,10 @@ constexpr ConvertedOf<Curve, CurveEntry> kCurve{"curve"};
 
 void describe(Fields& fields, NaturalEntry& entry) {
   fields
-      .field("curvature_b", entry.curvature_b, NumberOf{Measure::kCurvature}, kOptional, "Constant curvature towards b.")
-      .field("curvature_n", entry.curvature_n, NumberOf{Measure::kCurvature}, kOptional, "Constant curvature towards n.")
+      .field("curvature_b", entry.curvature_b, NumberOf{Measure::kCurvature}, kOptional,
+             "Constant curvature towards b.")
+      .field("curvature_n", entry.curvature_n, NumberOf{Measure::kCurvature}, kOptional,
+             "Constant curvature towards n.")
       .field("twist", entry.twist, NumberOf{Measure::kTwistRate}, kOptional, "Constant twist per length.")
       .field("curve", entry.curve, kCurve, kOptional, "Another curve that is free of stress, cut into the same edges.")
       .field("axes", entry.axes, AxesOf(), kOptional, "Material axes on that curve; those of the rod when absent.");
@@ -187,10 +193,17 @@ void AxesOf::read(Reader& reader, const JsonValue& json, MaterialAxes& axes) con
 JsonValue AxesOf::write(const MaterialAxes& axes) const {
   AxesEntry entry;
   switch (axes.kind) {
-    case MaterialAxes::Kind::kDirection: entry.normal = axes.normal; break;
-    case MaterialAxes::Kind::kTransport: entry.transport = axes.normal; break;
-    case MaterialAxes::Kind::kPerPoint: entry.per_point = axes.normals; break;
-    case MaterialAxes::Kind::kJoints: return JsonValue::string("joints");
+    case MaterialAxes::Kind::kDirection:
+      entry.normal = axes.normal;
+      break;
+    case MaterialAxes::Kind::kTransport:
+      entry.transport = axes.normal;
+      break;
+    case MaterialAxes::Kind::kPerPoint:
+      entry.per_point = axes.normals;
+      break;
+    case MaterialAxes::Kind::kJoints:
+      return JsonValue::string("joints");
   }
   return kAxes.write(entry);
 }
@@ -216,7 +229,8 @@ void NaturalOf::read(Reader& reader, const JsonValue& json, Natural& natural) co
   const bool rates = entry.curvature_b || entry.curvature_n || entry.twist;
   if (rates == entry.curve.has_value()) {
     return reader.fail(rates ? ErrorCode::kConflict : ErrorCode::kType,
-                       rates ? "a natural shape is either a curve or has constant curvature and twist" : "the natural shape says nothing",
+                       rates ? "a natural shape is either a curve or has constant curvature and twist"
+                             : "the natural shape says nothing",
                        "give \"curve\", or some of \"curvature_b\", \"curvature_n\" and \"twist\"");
   }
   if (entry.axes && !entry.curve) {

@@ -47,7 +47,8 @@ void describe(Fields& fields, SelectorEntry& entry) {
       .field("point", entry.point, point, kOptional, "The node nearest to this point.")
       .field("within", entry.within, NumberOf{Measure::kLength, kPositive}, kOptional,
              "How far it may be away; half a mean edge when absent.")
-      .field("box", entry.box, ListOf<VectorOf>{point, 2, 2}, kOptional, "All nodes between the low and the high corner.");
+      .field("box", entry.box, ListOf<VectorOf>{point, 2, 2}, kOptional,
+             "All nodes between the low and the high corner.");
 }
 
 constexpr ObjectOf<SelectorEntry> kSelector{"selector"};
@@ -110,8 +111,10 @@ JsonValue SelectorOf::write(const Selector& selector) const {
   }
   SelectorEntry entry;
   switch (selector.kind) {
-    case Selector::Kind::kSet: return JsonValue::string(selector.name);
-    case Selector::Kind::kUnion: return ListOf<SelectorOf>{{}, 1}.write(selector.parts);
+    case Selector::Kind::kSet:
+      return JsonValue::string(selector.name);
+    case Selector::Kind::kUnion:
+      return ListOf<SelectorOf>{{}, 1}.write(selector.parts);
     case Selector::Kind::kRod:
       entry.rod = selector.name;
       if (selector.fraction >= 0) entry.at = selector.fraction;
@@ -120,7 +123,8 @@ JsonValue SelectorOf::write(const Selector& selector) const {
       entry.point = selector.point;
       if (selector.tolerance > 0) entry.within = selector.tolerance;
       break;
-    default: entry.box = {selector.low, selector.high};
+    default:
+      entry.box = {selector.low, selector.high};
   }
   return kSelector.write(entry);
 }

@@ -38,8 +38,9 @@ void read_held_word(Reader& reader, const std::string& word, Hold& hold) {
     hold.roll = true;
     return;
   }
-  reader.fail(ErrorCode::kUnknown, "\"" + word + "\" cannot be held",
-              "known: \"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\", \"roll\", {\"along\": [...]} and {\"about\": [...]}");
+  reader.fail(
+      ErrorCode::kUnknown, "\"" + word + "\" cannot be held",
+      "known: \"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\", \"roll\", {\"along\": [...]} and {\"about\": [...]}");
 }
 
 void read_held(Reader& reader, const JsonValue& json, Hold& hold) {
@@ -67,9 +68,11 @@ struct HoldOf {
     hold = {};
     if (json.is(JsonValue::Kind::kString)) return ChoiceOf<SupportKind>{kKinds}.read(reader, json, hold.kind);
     if (!json.is(JsonValue::Kind::kArray)) {
-      return reader.fail_kind("\"pin\", \"clamp\", \"clamp_edge\", \"symmetry\" or a list such as [\"x\", \"z\"]", json);
+      return reader.fail_kind("\"pin\", \"clamp\", \"clamp_edge\", \"symmetry\" or a list such as [\"x\", \"z\"]",
+                              json);
     }
-    if (json.items.empty()) return reader.fail(ErrorCode::kType, "this support holds nothing", "remove it, or list what is held");
+    if (json.items.empty())
+      return reader.fail(ErrorCode::kType, "this support holds nothing", "remove it, or list what is held");
     hold.kind = SupportKind::kFree;
     for (std::size_t i = 0; i < json.items.size() && !reader.failed(); ++i) {
       const Reader::Step step(reader, i);
@@ -117,7 +120,8 @@ struct SupportEntry {
 void describe(Fields& fields, SupportEntry& support) {
   fields.field("at", support.at, SelectorOf(), kRequired, "The nodes that are held.")
       .field("hold", support.hold, HoldOf(), kRequired,
-             "How: \"pin\" (position), \"clamp\" (position and frame), \"clamp_edge\" (the end edge), \"symmetry\" (mirror "
+             "How: \"pin\" (position), \"clamp\" (position and frame), \"clamp_edge\" (the end edge), \"symmetry\" "
+             "(mirror "
              "plane), or a list of directions (\"x\"), rotations (\"rx\") and \"roll\".")
       .field("normal", support.normal, DirectionOf(), kOptional, "Normal of the mirror plane.")
       .field("move", support.move, VectorOf{Measure::kLength}, kOptional, "Displacement at load factor 1.")
@@ -136,7 +140,8 @@ void SupportOf::read(Reader& reader, const JsonValue& json, Support& support) co
   if (reader.failed()) return;
   const bool symmetry = entry.hold.kind == SupportKind::kSymmetry;
   if (symmetry && !entry.normal) {
-    return reader.fail(ErrorCode::kType, "the normal of the mirror plane is missing", "add for example \"normal\": [1, 0, 0]");
+    return reader.fail(ErrorCode::kType, "the normal of the mirror plane is missing",
+                       "add for example \"normal\": [1, 0, 0]");
   }
   if (!symmetry && entry.normal) {
     const Reader::Step step(reader, "normal");

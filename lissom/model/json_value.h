@@ -14,10 +14,10 @@ namespace lissom {
 struct JsonValue {
   enum class Kind { kNull, kBool, kNumber, kString, kArray, kObject };
   Kind kind = Kind::kNull;
-  bool flag = false;               ///< kBool
-  std::string text;                ///< kString, and kNumber as written
-  std::vector<std::string> keys;   ///< kObject, as many as `items`
-  std::vector<JsonValue> items;    ///< kArray, kObject
+  bool flag = false;              ///< kBool
+  std::string text;               ///< kString, and kNumber as written
+  std::vector<std::string> keys;  ///< kObject, as many as `items`
+  std::vector<JsonValue> items;   ///< kArray, kObject
 
   static JsonValue boolean(bool value);
   static JsonValue number(std::string text);

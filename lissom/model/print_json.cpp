@@ -14,12 +14,21 @@ std::string quoted(const std::string& text) {
 /// On one line; stops early once `limit` characters are exceeded.
 void print_flat(const JsonValue& value, std::string& out, std::size_t limit) {
   switch (value.kind) {
-    case JsonValue::Kind::kNull: out += "null"; return;
-    case JsonValue::Kind::kBool: out += value.flag ? "true" : "false"; return;
-    case JsonValue::Kind::kNumber: out += value.text; return;
-    case JsonValue::Kind::kString: out += quoted(value.text); return;
+    case JsonValue::Kind::kNull:
+      out += "null";
+      return;
+    case JsonValue::Kind::kBool:
+      out += value.flag ? "true" : "false";
+      return;
+    case JsonValue::Kind::kNumber:
+      out += value.text;
+      return;
+    case JsonValue::Kind::kString:
+      out += quoted(value.text);
+      return;
     case JsonValue::Kind::kArray:
-    case JsonValue::Kind::kObject: break;
+    case JsonValue::Kind::kObject:
+      break;
   }
   const bool object = value.is(JsonValue::Kind::kObject);
   out += object ? '{' : '[';

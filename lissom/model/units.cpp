@@ -23,20 +23,45 @@ constexpr Dimension kLengthUnit{1, 0, 0, 0}, kMassUnit{0, 1, 0, 0}, kTimeUnit{0,
 constexpr Dimension kForceUnit{1, 1, -2, 0}, kStressUnit{-1, 1, -2, 0}, kMomentUnit{2, 1, -2, 0}, kNone{};
 
 constexpr NamedUnit kUnits[] = {
-    {"m", kLengthUnit, 1, 0},     {"mm", kLengthUnit, 1, -3},   {"cm", kLengthUnit, 1, -2},
-    {"um", kLengthUnit, 1, -6},   {"\u00b5m", kLengthUnit, 1, -6}, {"\u03bcm", kLengthUnit, 1, -6},
-    {"km", kLengthUnit, 1, 3},    {"in", kLengthUnit, 254, -4}, {"kg", kMassUnit, 1, 0},
-    {"g", kMassUnit, 1, -3},      {"mg", kMassUnit, 1, -6},     {"t", kMassUnit, 1, 3},
-    {"s", kTimeUnit, 1, 0},       {"ms", kTimeUnit, 1, -3},     {"us", kTimeUnit, 1, -6},
-    {"min", kTimeUnit, 60, 0},    {"rad", kAngleUnit, 1, 0},    {"mrad", kAngleUnit, 1, -3},
-    {"deg", kAngleUnit, std::numbers::pi / 180, 0},             {"\u00b0", kAngleUnit, std::numbers::pi / 180, 0},
-    {"turn", kAngleUnit, 2 * std::numbers::pi, 0},              {"N", kForceUnit, 1, 0},
-    {"mN", kForceUnit, 1, -3},    {"uN", kForceUnit, 1, -6},    {"kN", kForceUnit, 1, 3},
-    {"MN", kForceUnit, 1, 6},     {"Pa", kStressUnit, 1, 0},    {"kPa", kStressUnit, 1, 3},
-    {"MPa", kStressUnit, 1, 6},   {"GPa", kStressUnit, 1, 9},   {"bar", kStressUnit, 1, 5},
-    {"J", kMomentUnit, 1, 0},     {"mJ", kMomentUnit, 1, -3},   {"uJ", kMomentUnit, 1, -6},
-    {"Hz", {0, 0, -1, 0}, 1, 0},  {"kHz", {0, 0, -1, 0}, 1, 3}, {"%", kNone, 1, -2},
-    {"1", kNone, 1, 0},           {"-", kNone, 1, 0},
+    {"m", kLengthUnit, 1, 0},
+    {"mm", kLengthUnit, 1, -3},
+    {"cm", kLengthUnit, 1, -2},
+    {"um", kLengthUnit, 1, -6},
+    {"\u00b5m", kLengthUnit, 1, -6},
+    {"\u03bcm", kLengthUnit, 1, -6},
+    {"km", kLengthUnit, 1, 3},
+    {"in", kLengthUnit, 254, -4},
+    {"kg", kMassUnit, 1, 0},
+    {"g", kMassUnit, 1, -3},
+    {"mg", kMassUnit, 1, -6},
+    {"t", kMassUnit, 1, 3},
+    {"s", kTimeUnit, 1, 0},
+    {"ms", kTimeUnit, 1, -3},
+    {"us", kTimeUnit, 1, -6},
+    {"min", kTimeUnit, 60, 0},
+    {"rad", kAngleUnit, 1, 0},
+    {"mrad", kAngleUnit, 1, -3},
+    {"deg", kAngleUnit, std::numbers::pi / 180, 0},
+    {"\u00b0", kAngleUnit, std::numbers::pi / 180, 0},
+    {"turn", kAngleUnit, 2 * std::numbers::pi, 0},
+    {"N", kForceUnit, 1, 0},
+    {"mN", kForceUnit, 1, -3},
+    {"uN", kForceUnit, 1, -6},
+    {"kN", kForceUnit, 1, 3},
+    {"MN", kForceUnit, 1, 6},
+    {"Pa", kStressUnit, 1, 0},
+    {"kPa", kStressUnit, 1, 3},
+    {"MPa", kStressUnit, 1, 6},
+    {"GPa", kStressUnit, 1, 9},
+    {"bar", kStressUnit, 1, 5},
+    {"J", kMomentUnit, 1, 0},
+    {"mJ", kMomentUnit, 1, -3},
+    {"uJ", kMomentUnit, 1, -6},
+    {"Hz", {0, 0, -1, 0}, 1, 0},
+    {"kHz", {0, 0, -1, 0}, 1, 3},
+    {"%", kNone, 1, -2},
+    {"1", kNone, 1, 0},
+    {"-", kNone, 1, 0},
 };
 
 constexpr MeasureInfo kMeasureInfos[] = {
@@ -50,9 +75,23 @@ constexpr MeasureInfo kMeasureInfos[] = {
     {Measure::kAcceleration, "acceleration", "acceleration", "an acceleration", "9.81 m/s^2", "", "m/s^2", {"m/s^2"}},
     {Measure::kVelocity, "velocity", "velocity", "a velocity", "0.5 m/s", "", "m/s", {"m/s", "mm/s"}},
     {Measure::kMoment, "moment", "moment", "a moment", "2 N mm", "", "N m", {"N mm", "N m"}},
-    {Measure::kForcePerLength, "force_per_length", "force per length", "a force per length", "0.3 N/m", "", "N/m", {"N/m", "N/mm"}},
+    {Measure::kForcePerLength,
+     "force_per_length",
+     "force per length",
+     "a force per length",
+     "0.3 N/m",
+     "",
+     "N/m",
+     {"N/m", "N/mm"}},
     {Measure::kCurvature, "curvature", "curvature", "a curvature", "20 1/m", "", "1/m", {"1/m", "1/mm"}},
-    {Measure::kTwistRate, "twist_rate", "angle per length", "an angle per length", "10 deg/m", "", "rad/m", {"rad/m", "deg/m"}},
+    {Measure::kTwistRate,
+     "twist_rate",
+     "angle per length",
+     "an angle per length",
+     "10 deg/m",
+     "",
+     "rad/m",
+     {"rad/m", "deg/m"}},
     {Measure::kRate, "rate", "rate", "a rate", "10 1/s", "", "1/s", {"1/s"}},
     {Measure::kRatio, "ratio", "plain number", "a plain number", "5 %", "1", "1", {"1"}},
 };
@@ -129,9 +168,10 @@ Error unknown_unit(std::string_view name) {
   }
   std::string near = nearest_name(name, names);
   return unit_error("unknown unit \"" + std::string(name) + "\"",
-                    near.empty() ? "known: m, mm, cm, um, in, g, kg, t, s, ms, N, mN, kN, Pa, kPa, MPa, GPa, rad, deg, turn, "
-                                   "Hz, J, mJ, %, and their products, quotients and powers"
-                                 : "did you mean \"" + near + "\"?");
+                    near.empty()
+                        ? "known: m, mm, cm, um, in, g, kg, t, s, ms, N, mN, kN, Pa, kPa, MPa, GPa, rad, deg, turn, "
+                          "Hz, J, mJ, %, and their products, quotients and powers"
+                        : "did you mean \"" + near + "\"?");
 }
 
 Error malformed_number(std::string_view text) {
@@ -139,8 +179,11 @@ Error malformed_number(std::string_view text) {
 }
 
 Result<double> scaled(const Decimal& decimal, const Unit& unit) {
-  const std::optional<double> value = to_double(decimal, unit.exponent);
-  const double scaled_value = value.value_or(0) * unit.factor;
+  constexpr double kLargestWhole = 1e6;
+  const bool whole = unit.factor >= 1 && unit.factor < kLargestWhole && unit.factor == std::floor(unit.factor);
+  const std::optional<double> value =
+      to_double(whole ? times(decimal, static_cast<int>(unit.factor)) : decimal, unit.exponent);
+  const double scaled_value = whole ? value.value_or(0) : value.value_or(0) * unit.factor;
   if (!value || !std::isfinite(scaled_value)) {
     return Error{ErrorCode::kRange, {}, "the number is too large or too small to be held", "check its exponent"};
   }
@@ -172,14 +215,16 @@ Result<Unit> parse_unit(std::string_view text) {
     if (!part) return unknown_unit(name);
     const std::optional<int> power = take_power(text);
     if (!power || !accumulate(unit, *part, divide ? -*power : *power)) {
-      return unit_error("the power in \"" + unit.text + "\" is not understood", "powers are written \"m^2\" or \"s^-2\"");
+      return unit_error("the power in \"" + unit.text + "\" is not understood",
+                        "powers are written \"m^2\" or \"s^-2\"");
     }
     skip_spaces(text);
     if (text.empty()) break;
     divide = take(text, "/");
     if (!divide) {
       if (divided) {
-        return unit_error("\"" + unit.text + "\" can be read in two ways", "write a slash before every unit that divides");
+        return unit_error("\"" + unit.text + "\" can be read in two ways",
+                          "write a slash before every unit that divides");
       }
       take_times(text);
     }
@@ -282,8 +327,8 @@ std::string in_words(Dimension wanted) {
 
 Error wrong_dimension(Measure expected, Dimension got) {
   const MeasureInfo& wanted = info(expected);
-  return unit_error("expected " + std::string(wanted.article) + " such as \"" + std::string(wanted.example) + "\", got " +
-                        in_words(got),
+  return unit_error("expected " + std::string(wanted.article) + " such as \"" + std::string(wanted.example) +
+                        "\", got " + in_words(got),
                     {});
 }
 

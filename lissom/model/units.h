@@ -20,15 +20,28 @@ struct Dimension {
 /// One unit or a product of powers of units: SI value = number * factor * 10^exponent.
 struct Unit {
   Dimension dimension;
-  double factor = 1;     ///< what is left besides the power of ten: 254 for in, pi/180 for deg
+  double factor = 1;  ///< what is left besides the power of ten: 254 for in, pi/180 for deg
   int exponent = 0;
-  std::string text;      ///< as written
+  std::string text;  ///< as written
 };
 
 /// What the numbers of a document measure.
 enum class Measure {
-  kLength, kForce, kStress, kAngle, kTime, kMass, kDensity, kAcceleration, kVelocity, kMoment, kForcePerLength, kCurvature,
-  kTwistRate, kRate, kRatio,
+  kLength,
+  kForce,
+  kStress,
+  kAngle,
+  kTime,
+  kMass,
+  kDensity,
+  kAcceleration,
+  kVelocity,
+  kMoment,
+  kForcePerLength,
+  kCurvature,
+  kTwistRate,
+  kRate,
+  kRatio,
 };
 constexpr int kMeasures = 15;
 
@@ -40,7 +53,8 @@ struct MeasureInfo {
   std::string_view example;       ///< "0.8 mm"
   std::string_view default_unit;  ///< of a bare number; empty: a number other than 0 needs its unit
   std::string_view si_unit;
-  std::array<std::string_view, 4> written;  ///< units that the writer chooses from, the first that gives the shortest text
+  std::array<std::string_view, 4>
+      written;  ///< units that the writer chooses from, the first that gives the shortest text
 };
 
 const MeasureInfo& info(Measure measure);

@@ -50,7 +50,8 @@ void check_sets(Checker& check, const Model& model) {
     const std::string where = "/sets/" + pointer_step(model.sets[i].name);
     for (const char* word : {"all", "joints", "boundary"}) {
       if (model.sets[i].name == word) {
-        return check.fail(ErrorCode::kConflict, where, "\"" + model.sets[i].name + "\" is a built-in selection", "choose another name");
+        return check.fail(ErrorCode::kConflict, where, "\"" + model.sets[i].name + "\" is a built-in selection",
+                          "choose another name");
       }
     }
     check.selector(model.sets[i].nodes, where);
@@ -132,13 +133,16 @@ void Checker::selector(const Selector& selector, const std::string& where) {
   switch (selector.kind) {
     case Selector::Kind::kAll:
     case Selector::Kind::kJoints:
-    case Selector::Kind::kBoundary: return;
-    case Selector::Kind::kSet: return known(selector.name, sets, "set", where);
+    case Selector::Kind::kBoundary:
+      return;
+    case Selector::Kind::kSet:
+      return known(selector.name, sets, "set", where);
     case Selector::Kind::kRod:
       known(selector.name, rods, "rod", where + "/rod");
       finite(selector.fraction, where + "/at");
       if (selector.fraction > 1) {
-        fail(ErrorCode::kRange, where + "/at", "the place on a rod has to be between 0 and 1", "0 is its start, 1 its end");
+        fail(ErrorCode::kRange, where + "/at", "the place on a rod has to be between 0 and 1",
+             "0 is its start, 1 its end");
       }
       return;
     case Selector::Kind::kPoint:
@@ -177,7 +181,8 @@ Status Model::validate() const {
   for (std::size_t i = 0; i < materials.size() && !check.failed(); ++i) {
     check.take(materials[i].validate("/materials/" + pointer_step(own[i])));
   }
-  if (rods.empty()) check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods", "add some to \"rods\" or \"networks\"");
+  if (rods.empty())
+    check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods", "add some to \"rods\" or \"networks\"");
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));
   check_sets(check, *this);
   for (std::size_t i = 0; i < joints.size() && !check.failed(); ++i) {
@@ -185,7 +190,8 @@ Status Model::validate() const {
   }
   check.finite(merge_distance, "/joints/merge_distance");
   for (std::size_t i = 0; i < poses.size() && !check.failed(); ++i) check_pose(check, poses[i], at("", "poses", i));
-  for (std::size_t i = 0; i < motions.size() && !check.failed(); ++i) check_motion(check, motions[i], at("", "motions", i));
+  for (std::size_t i = 0; i < motions.size() && !check.failed(); ++i)
+    check_motion(check, motions[i], at("", "motions", i));
   for (std::size_t i = 0; i < expectations.size() && !check.failed(); ++i) {
     check_expectation(check, expectations[i], at("", "expect", i));
   }

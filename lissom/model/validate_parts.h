@@ -40,7 +40,8 @@ class Checker {
     for (std::size_t i = 0; i < names.size() && !failed(); ++i) {
       if (names[i].empty()) fail(ErrorCode::kUnknown, where(i), "the " + what + " has no name", "give it one");
       if (seen.insert(names[i]).second) continue;
-      fail(ErrorCode::kConflict, where(i), "the name \"" + names[i] + "\" is used for two " + what + "s", "rename one of them");
+      fail(ErrorCode::kConflict, where(i), "the name \"" + names[i] + "\" is used for two " + what + "s",
+           "rename one of them");
     }
   }
 

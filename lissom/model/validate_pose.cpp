@@ -13,7 +13,8 @@ std::string at(const std::string& where, const char* key, std::size_t index) {
 }
 
 /// Held directions have to be perpendicular: otherwise their prescribed displacements contradict each other.
-void check_perpendicular(Checker& check, const std::vector<Vec3>& directions, const std::string& where, const std::string& what) {
+void check_perpendicular(Checker& check, const std::vector<Vec3>& directions, const std::string& where,
+                         const std::string& what) {
   constexpr double kTolerance = 1e-9;
   for (const Vec3& direction : directions) check.direction(direction, where, true);
   if (directions.size() > 3) check.fail(ErrorCode::kConflict, where, "more than three " + what + " are held");
@@ -75,8 +76,10 @@ void check_contradictions(Checker& check, const std::vector<Support>& supports, 
   };
   for (std::size_t i = 0; i < supports.size() && !check.failed(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!holds_position(supports[i]) || !holds_position(supports[j]) || !same(supports[i].at, supports[j].at)) continue;
-      const bool moved_alike = supports[i].move == supports[j].move && supports[i].move_inwards == supports[j].move_inwards;
+      if (!holds_position(supports[i]) || !holds_position(supports[j]) || !same(supports[i].at, supports[j].at))
+        continue;
+      const bool moved_alike =
+          supports[i].move == supports[j].move && supports[i].move_inwards == supports[j].move_inwards;
       return check.fail(ErrorCode::kConflict, at(where, "supports", i),
                         moved_alike ? "support " + std::to_string(j) + " already holds the position of the same nodes"
                                     : "support " + std::to_string(j) + " moves the same nodes differently",
@@ -132,11 +135,13 @@ void check_pose(Checker& check, const Pose& pose, const std::string& where) {
     check.finite(pose.path->from, where + "/path/from");
     check.finite(pose.path->to, where + "/path/to");
     if (pose.path->from == pose.path->to) {
-      check.fail(ErrorCode::kConflict, where + "/path", "the path ends where it begins", "give different \"from\" and \"to\"");
+      check.fail(ErrorCode::kConflict, where + "/path", "the path ends where it begins",
+                 "give different \"from\" and \"to\"");
     }
     if (pose.path->steps < 1) check.fail(ErrorCode::kRange, where + "/path/steps", "a path needs at least one step");
     if (pose.path->stop_at_critical && pose.path->switch_branch) {
-      check.fail(ErrorCode::kConflict, where + "/path", "the path both stops at a critical point and continues on its branch",
+      check.fail(ErrorCode::kConflict, where + "/path",
+                 "the path both stops at a critical point and continues on its branch",
                  "keep one of \"stop_at_critical\" and \"switch_branch\"");
     }
   }
@@ -193,6 +198,13 @@ void check_expectation(Checker& check, const Expectation& expectation, const std
     check.fail(ErrorCode::kUnknown, where + "/mode_kind", "there is no kind of mode \"" + expectation.mode_kind + "\"",
                suggestion(expectation.mode_kind, kinds));
   }
+  const std::vector<std::string> combinations = {"difference", "ratio", "order", "limit"};
+  if (!expectation.combine.empty() &&
+      std::find(combinations.begin(), combinations.end(), expectation.combine) == combinations.end()) {
+    check.fail(ErrorCode::kUnknown, where + "/combine",
+               "measurements cannot be combined by \"" + expectation.combine + "\"",
+               suggestion(expectation.combine, combinations));
+  }
   check.finite(expectation.scale, where + "/divide_by");
   if (expectation.scale == 0) check.fail(ErrorCode::kRange, where + "/divide_by", "this number must not be zero");
   check.finite(expectation.offset, where + "/offset");
@@ -206,7 +218,8 @@ void check_expectation(Checker& check, const Expectation& expectation, const std
   const std::size_t poses = expectation.poses.empty() ? check.model.poses.size() : expectation.poses.size();
   if (values != 1 && values != poses && expectation.edges.empty()) {
     check.fail(ErrorCode::kConflict, where + "/value",
-               "there are " + std::to_string(values) + " values for " + std::to_string(poses) + (poses == 1 ? " pose" : " poses"),
+               "there are " + std::to_string(values) + " values for " + std::to_string(poses) +
+                   (poses == 1 ? " pose" : " poses"),
                "give one value per pose, or one for all");
   }
   const double relative = expectation.tolerance_relative, absolute = expectation.tolerance_absolute;

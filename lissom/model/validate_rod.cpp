@@ -15,13 +15,15 @@ void check_points(Checker& check, const std::vector<Vec3>& points, bool closed, 
   for (std::size_t i = 0; i < points.size() && !check.failed(); ++i) {
     check.finite(points[i], where + "/" + std::to_string(i));
     if (i > 0 && points[i] == points[i - 1]) {
-      check.fail(ErrorCode::kGeometry, where + "/" + std::to_string(i), "this point is the same as the one before", "remove one of them");
+      check.fail(ErrorCode::kGeometry, where + "/" + std::to_string(i), "this point is the same as the one before",
+                 "remove one of them");
     }
   }
   const std::size_t least = closed ? 3 : 2;
   if (points.size() < least) {
     return check.fail(ErrorCode::kGeometry, where,
-                      "a rod that is " + std::string(closed ? "closed" : "open") + " needs at least " + std::to_string(least) + " points");
+                      "a rod that is " + std::string(closed ? "closed" : "open") + " needs at least " +
+                          std::to_string(least) + " points");
   }
   if (closed && points.front() == points.back()) {
     check.fail(ErrorCode::kGeometry, where + "/" + std::to_string(points.size() - 1),
@@ -42,7 +44,8 @@ void check_radius(Checker& check, const Vec3& centre, const Vec3& start, const V
   }
 }
 
-void check_values(Checker& check, const std::vector<double>& values, const std::string& where, const std::string& what) {
+void check_values(Checker& check, const std::vector<double>& values, const std::string& where,
+                  const std::string& what) {
   for (std::size_t i = 0; i < values.size() && !check.failed(); ++i) {
     check.positive(values[i], values.size() == 1 ? where : where + "/" + std::to_string(i), what);
   }
@@ -51,7 +54,10 @@ void check_values(Checker& check, const std::vector<double>& values, const std::
 void check_section(Checker& check, const SectionProfile& section, const std::string& where) {
   const bool rectangle = section.shape == SectionShape::kRectangle;
   const bool round = !rectangle && (section.shape == SectionShape::kTube || section.r_n == section.r_b);
-  const std::string first = rectangle ? "/thickness" : round ? "/radius" : "/r_n", second = rectangle ? "/width" : "/r_b";
+  const std::string first = rectangle ? "/thickness"
+                            : round   ? "/radius"
+                                      : "/r_n",
+                    second = rectangle ? "/width" : "/r_b";
   check_values(check, section.r_n, where + first, rectangle ? "thickness" : "radius");
   if (!round) check_values(check, section.r_b, where + second, rectangle ? "width" : "radius");
   if (check.failed()) return;
@@ -59,7 +65,8 @@ void check_section(Checker& check, const SectionProfile& section, const std::str
     return check.fail(ErrorCode::kConflict, where, "the section needs equally many values along n and b, at least one");
   }
   if (section.shape == SectionShape::kTube) {
-    if (section.r_n != section.r_b) return check.fail(ErrorCode::kConflict, where, "a tube is round: r_n and r_b have to agree");
+    if (section.r_n != section.r_b)
+      return check.fail(ErrorCode::kConflict, where, "a tube is round: r_n and r_b have to agree");
     check.positive(section.wall, where + "/wall", "wall");
     const double thinnest = *std::min_element(section.r_n.begin(), section.r_n.end());
     if (section.wall > thinnest) {
@@ -76,9 +83,12 @@ void check_section(Checker& check, const SectionProfile& section, const std::str
 
 void check_axes(Checker& check, const MaterialAxes& axes, const std::string& where) {
   switch (axes.kind) {
-    case MaterialAxes::Kind::kDirection: return check.direction(axes.normal, where + "/normal");
-    case MaterialAxes::Kind::kTransport: return check.direction(axes.normal, where + "/transport");
-    case MaterialAxes::Kind::kJoints: return;
+    case MaterialAxes::Kind::kDirection:
+      return check.direction(axes.normal, where + "/normal");
+    case MaterialAxes::Kind::kTransport:
+      return check.direction(axes.normal, where + "/transport");
+    case MaterialAxes::Kind::kJoints:
+      return;
     case MaterialAxes::Kind::kPerPoint:
       if (axes.normals.size() < 2) {
         check.fail(ErrorCode::kType, where + "/per_point", "axes per point need at least two directions",
@@ -104,9 +114,10 @@ void check_line_normal(Checker& check, const Curve& curve, const MaterialAxes& a
     tangent.cwiseAbs().minCoeff(&across);
     const Vec3 better = Vec3::Unit(across);
     return check.fail(ErrorCode::kGeometry, where + "/axes",
-                      "the material axis n points along the rod" + (pieces > 1 ? " at its piece " + std::to_string(i) : std::string()),
-                      "give a direction across the rod, for example \"axes\": {\"normal\": [" + number_text(better[0]) + ", " +
-                          number_text(better[1]) + ", " + number_text(better[2]) + "]}");
+                      "the material axis n points along the rod" +
+                          (pieces > 1 ? " at its piece " + std::to_string(i) : std::string()),
+                      "give a direction across the rod, for example \"axes\": {\"normal\": [" + number_text(better[0]) +
+                          ", " + number_text(better[1]) + ", " + number_text(better[2]) + "]}");
   }
 }
 
@@ -121,7 +132,8 @@ void check_natural(Checker& check, const Rod& rod, const std::string& where) {
   if (!natural.curve) return check.fail(ErrorCode::kConflict, where + "/curve", "the natural curve is missing");
   check_curve(check, *natural.curve, where + "/curve");
   if (!check.failed() && is_closed(*natural.curve) != is_closed(rod.curve)) {
-    check.fail(ErrorCode::kConflict, where + "/curve", "one of the drawn and the natural curve is closed, the other is not",
+    check.fail(ErrorCode::kConflict, where + "/curve",
+               "one of the drawn and the natural curve is closed, the other is not",
                "a rod with closed ends has both closed");
   }
   if (natural.axes) check_axes(check, *natural.axes, where + "/axes");
@@ -141,17 +153,20 @@ void check_curve(Checker& check, const Curve& curve, const std::string& where) {
     check.finite(arc->angle, where + "/arc/angle");
     if (arc->angle == 0) check.fail(ErrorCode::kGeometry, where + "/arc/angle", "the angle of an arc must not be zero");
     if (arc->closed && std::abs(std::abs(arc->angle) - kFullTurn) > 1e-9) {
-      check.fail(ErrorCode::kConflict, where + "/arc/angle", "a closed arc turns by 360 deg", "set the angle, or remove \"closed\"");
+      check.fail(ErrorCode::kConflict, where + "/arc/angle", "a closed arc turns by 360 deg",
+                 "set the angle, or remove \"closed\"");
     }
     if (std::abs(arc->angle) > kFullTurn * (1 + 1e-9)) {
-      check.fail(ErrorCode::kRange, where + "/arc/angle", "an arc turns by at most 360 deg", "use a \"helix\" for more turns");
+      check.fail(ErrorCode::kRange, where + "/arc/angle", "an arc turns by at most 360 deg",
+                 "use a \"helix\" for more turns");
     }
   } else {
     const Helix& helix = std::get<Helix>(curve);
     check_radius(check, helix.centre, helix.start, helix.axis, where + "/helix");
     check.finite(helix.pitch, where + "/helix/pitch");
     check.finite(helix.turns, where + "/helix/turns");
-    if (helix.turns == 0) check.fail(ErrorCode::kGeometry, where + "/helix/turns", "the number of turns must not be zero");
+    if (helix.turns == 0)
+      check.fail(ErrorCode::kGeometry, where + "/helix/turns", "the number of turns must not be zero");
   }
 }
 
@@ -163,14 +178,16 @@ void check_rod(Checker& check, const Rod& rod, const std::string& where) {
   check_line_normal(check, rod.curve, rod.axes, where);
   check_natural(check, rod, where + "/natural");
   if (rod.edges < 0 || rod.edges > kMostEdges) {
-    check.fail(ErrorCode::kRange, where + "/edges", "the number of edges has to be between 1 and " + std::to_string(kMostEdges));
+    check.fail(ErrorCode::kRange, where + "/edges",
+               "the number of edges has to be between 1 and " + std::to_string(kMostEdges));
   }
   check.not_negative(rod.edge_length, where + "/edge_length", "edge length");
   if (rod.edges > 0 && rod.edge_length > 0) {
     check.fail(ErrorCode::kConflict, where, "both \"edges\" and \"edge_length\" are given", "keep one of them");
   }
   if (rod.edges == 0 && rod.edge_length == 0) {
-    check.fail(ErrorCode::kType, where, "neither \"edges\" nor \"edge_length\" is given", "say into how many edges the rod is cut");
+    check.fail(ErrorCode::kType, where, "neither \"edges\" nor \"edge_length\" is given",
+               "say into how many edges the rod is cut");
   }
   if (is_closed(rod.curve) && rod.edges > 0 && rod.edges < 3) {
     check.fail(ErrorCode::kGeometry, where + "/edges", "a closed rod needs at least 3 edges");

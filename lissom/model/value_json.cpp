@@ -57,12 +57,18 @@ JsonValue& JsonValue::set(std::string key, JsonValue value) {
 
 std::string_view in_words(JsonValue::Kind kind) {
   switch (kind) {
-    case JsonValue::Kind::kNull: return "null";
-    case JsonValue::Kind::kBool: return "true or false";
-    case JsonValue::Kind::kNumber: return "a number";
-    case JsonValue::Kind::kString: return "text";
-    case JsonValue::Kind::kArray: return "a list";
-    case JsonValue::Kind::kObject: return "an object";
+    case JsonValue::Kind::kNull:
+      return "null";
+    case JsonValue::Kind::kBool:
+      return "true or false";
+    case JsonValue::Kind::kNumber:
+      return "a number";
+    case JsonValue::Kind::kString:
+      return "text";
+    case JsonValue::Kind::kArray:
+      return "a list";
+    case JsonValue::Kind::kObject:
+      return "an object";
   }
   return {};
 }
@@ -102,8 +108,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(string_t& key) override {
     if (!open_.back().known.insert(key).second) {
-      return refuse(ErrorCode::kConflict, pointer(open_.size()) + "/" + pointer_step(key), "the key \"" + key + "\" appears twice",
-                    "keep one of the two");
+      return refuse(ErrorCode::kConflict, pointer(open_.size()) + "/" + pointer_step(key),
+                    "the key \"" + key + "\" appears twice", "keep one of the two");
     }
     open_.back().value.keys.push_back(key);
     return true;
@@ -130,7 +136,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(JsonValue value) {
     if (static_cast<int>(open_.size()) >= depth_) {
-      return refuse(ErrorCode::kSyntax, pointer(kShownSteps), "the brackets are nested deeper than " + std::to_string(depth_), {});
+      return refuse(ErrorCode::kSyntax, pointer(kShownSteps),
+                    "the brackets are nested deeper than " + std::to_string(depth_), {});
     }
     open_.push_back({std::move(value), {}});
     return true;
@@ -153,7 +160,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string where;
     for (std::size_t i = 0; i < steps && i + 1 < open_.size(); ++i) {
       const JsonValue& value = open_[i].value;
-      where += "/" + (value.is(JsonValue::Kind::kObject) ? pointer_step(value.keys.back()) : std::to_string(value.items.size()));
+      where += "/" + (value.is(JsonValue::Kind::kObject) ? pointer_step(value.keys.back())
+                                                         : std::to_string(value.items.size()));
     }
     return where;
   }
@@ -164,7 +172,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const std::size_t line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
     const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    const auto column = 1 + std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(), starts_character);
+    const auto column =
+        1 + std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(), starts_character);
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
   }
 
@@ -173,7 +182,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string message = "this is not valid JSON", hint;
     if (position > text_.size() && !says("UTF-8")) {
       message = text_.find_first_not_of(" \t\r\n") == std::string_view::npos ? "the document is empty"
-                                                                            : "the document ends too early";
+                                                                             : "the document ends too early";
       hint = "a closing bracket, brace or quote is missing";
       if (message == "the document is empty") hint = "a smallest document is {\"lissom\": 1, \"rods\": [...]}";
     } else if (says("UTF-8")) {

@@ -1,9 +1,8 @@
 /// Wrong documents, one mistake each, and what is said about them: tests/documents/bad/expected.tsv lists file, code,
 /// place, message and hint, separated by tabs.
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kFolder = "tests/documents/bad";
-const char* const kCodes[] = {"file", "syntax", "unknown", "type", "unit", "range", "geometry", "conflict", "unsupported"};
+const char* const kCodes[] = {"file",  "syntax",   "unknown",  "type",       "unit",
+                              "range", "geometry", "conflict", "unsupported"};
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
@@ -55,7 +55,8 @@ TEST(DocumentErrors, EveryWrongDocumentIsExplainedAsExpected) {
     const Result<Model> model = read_document(text.value());
     ASSERT_FALSE(model) << "was accepted";
     const Error& error = model.error();
-    EXPECT_EQ(std::string(kCodes[static_cast<int>(error.code)]) + '\t' + error.where + '\t' + error.message + '\t' + error.hint,
+    EXPECT_EQ(std::string(kCodes[static_cast<int>(error.code)]) + '\t' + error.where + '\t' + error.message + '\t' +
+                  error.hint,
               line);
   }
 }
@@ -63,7 +64,8 @@ TEST(DocumentErrors, EveryWrongDocumentIsExplainedAsExpected) {
 TEST(DocumentErrors, EveryWrongDocumentIsListed) {
   const std::map<std::string, std::string> lines = expected();
   for (const auto& entry : fs::directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".lissom") EXPECT_TRUE(lines.contains(entry.path().filename().string())) << entry.path();
+    if (entry.path().extension() != ".lissom") continue;
+    EXPECT_TRUE(lines.contains(entry.path().filename().string())) << entry.path();
   }
 }
 

@@ -1,10 +1,9 @@
 /// Documents damaged at random have to end in a model or in an error with a text. 2,000 damaged documents by default;
 /// LISSOM_MUTANTS=20000 for the long run (under sanitizers).
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <random>
 #include <string>
 #include <vector>
@@ -40,14 +39,26 @@ class Mutator {
 
   void change(std::string& text, const std::string& other) {
     static const std::vector<std::string> values = {
-        "NaN", "1e999", "-0", "-1e308", "1e-400", "99999999999999999999", "0", "-1", "null", "true", "\"\"", "\"1e308 km\"",
-        "[]", "{}", "\"\\ud800\"", "\"-5 %\"", "2147483648", "1e300", "\"\\u0000\"", "\"all\""};
+        "NaN",         "1e999",  "-0",          "-1e308",   "1e-400",     "99999999999999999999",
+        "0",           "-1",     "null",        "true",     "\"\"",       "\"1e308 km\"",
+        "[]",          "{}",     "\"\\ud800\"", "\"-5 %\"", "2147483648", "1e300",
+        "\"\\u0000\"", "\"all\""};
     switch (below(11)) {
-      case 0: text[place(text)] = static_cast<char>(random_()); break;
-      case 1: text[place(text)] ^= static_cast<char>(1 << below(8)); break;
-      case 2: text.erase(place(text), 1 + random_() % 20); break;
-      case 3: text.insert(place(text), text.substr(place(text), 1 + random_() % 200)); break;
-      case 4: text.resize(place(text)); break;
+      case 0:
+        text[place(text)] = static_cast<char>(random_());
+        break;
+      case 1:
+        text[place(text)] ^= static_cast<char>(1 << below(8));
+        break;
+      case 2:
+        text.erase(place(text), 1 + random_() % 20);
+        break;
+      case 3:
+        text.insert(place(text), text.substr(place(text), 1 + random_() % 200));
+        break;
+      case 4:
+        text.resize(place(text));
+        break;
       case 5: {
         const auto [begin, size] = token(text);
         text.replace(begin, size, values[random_() % values.size()]);
@@ -62,13 +73,17 @@ class Mutator {
         if (a < text.size()) text.replace(a, std::min(size, text.size() - a), second);
         break;
       }
-      case 7: text.insert(place(text), std::string(1 + random_() % 300, below(2) ? '[' : '{')); break;
+      case 7:
+        text.insert(place(text), std::string(1 + random_() % 300, below(2) ? '[' : '{'));
+        break;
       case 8: {
         const std::size_t from = random_() % other.size();
         text.insert(place(text), other.substr(from, 1 + random_() % 300));
         break;
       }
-      case 9: text.insert(place(text), 1, "{}[],:\"\\/ \n"[random_() % 11]); break;
+      case 9:
+        text.insert(place(text), 1, "{}[],:\"\\/ \n"[random_() % 11]);
+        break;
       default: {
         const auto [begin, size] = token(text);
         text.erase(begin, size);

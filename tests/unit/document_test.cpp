@@ -1,16 +1,20 @@
 #include "lissom/model/document.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "lissom/core/file_io.h"
+
 #include "model_bits.h"
+
+// Designated initialisers leave members at their defaults on purpose.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 namespace lissom {
 namespace {
@@ -78,6 +82,7 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(m.merge_distance, 1e-6);
   EXPECT_EQ(m.sets.at(1).nodes.parts.at(1).fraction, 0.5);
   const Pose& loaded = m.poses.at(0);
+  EXPECT_EQ(loaded.rigid_motion, RigidMotion::kRemove);
   EXPECT_EQ(loaded.supports.at(0).move, Vec3(0, 0, 0.001));
   EXPECT_EQ(loaded.supports[0].move_inwards, 0.002);
   EXPECT_EQ(loaded.supports[1].turn_angle, 2 * std::numbers::pi);
@@ -98,6 +103,7 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(m.motions.at(0).step, 0.001);
   EXPECT_EQ(m.motions[0].load_factor.at(2), Vec2(2, 0.5));
   const Expectation& claim = m.expectations.at(0);
+  EXPECT_EQ(claim.combine, "limit");
   EXPECT_EQ(claim.value, (std::vector<double>{0.001, 0.0025, 0.003}));
   EXPECT_EQ(claim.tolerance_absolute, 0.0001);
   EXPECT_EQ(claim.tolerance_relative, 0);

@@ -1,7 +1,6 @@
 #include "lissom/core/file_io.h"
 
 #include <gtest/gtest.h>
-
 #include <string>
 
 namespace lissom {

@@ -25,10 +25,8 @@ class ModelBits {
   void add(const Vec3& x) { add_all(x[0], x[1], x[2]); }
   void add(const Vec2& x) { add_all(x[0], x[1]); }
   template <class E>
-    requires std::is_enum_v<E>
-  void add(E x) {
-    add(static_cast<int>(x));
-  }
+  requires std::is_enum_v<E>
+  void add(E x) { add(static_cast<int>(x)); }
   template <class T>
   void add(const std::optional<T>& x) {
     text_ += x ? "some " : "none ";
@@ -58,7 +56,8 @@ class ModelBits {
   void add(const JointChoice& x) { add_all(x.at, x.kind); }
   void add(const NamedSet& x) { add_all(x.name, x.nodes); }
   void add(const Support& x) {
-    add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.turn_axis, x.turn_angle);
+    add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.turn_axis,
+            x.turn_angle);
   }
   void add(const SoftPin& x) { add_all(x.at, x.stiffness, x.target); }
   void add(const PointForce& x) { add_all(x.at, x.force, x.shared, x.scaling); }

@@ -1,11 +1,13 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
 
 #include "lissom/model/model.h"
+
+// Designated initialisers leave members at their defaults on purpose.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 namespace lissom {
 namespace {
@@ -57,14 +59,20 @@ TEST(Validate, MistakesAreReportedWhereTheDocumentWouldSayThem) {
       {"/materials/own~11", [](Model& m) { m.materials.push_back(m.materials[0]); }},
       {"/rods/1/name", [](Model& m) { m.rods[1].name = "beam"; }},
       {"/rods/0/name", [](Model& m) { m.rods[0].name.clear(); }},
-      {"/rods/0/line/1", [](Model& m) { m.rods[0].curve = Polyline{{Vec3(0, 0, 0), Vec3(kNan, 0, 0)}}; }},
+      {"/rods/0/line/1",
+       [](Model& m) {
+         m.rods[0].curve = Polyline{{Vec3(0, 0, 0), Vec3(kNan, 0, 0)}};
+       }},
       {"/rods/0/spline", [](Model& m) { m.rods[0].curve = Spline{{Vec3(0, 0, 0)}}; }},
       {"/rods/1/arc/angle", [](Model& m) { std::get<Arc>(m.rods[1].curve).angle = kInfinity; }},
       {"/rods/1/arc/axis", [](Model& m) { std::get<Arc>(m.rods[1].curve).axis.setZero(); }},
       {"/rods/0/material", [](Model& m) { m.rods[0].material = "wood"; }},
-      {"/rods/0/section/radius", [](Model& m) { m.rods[0].section.r_n = m.rods[0].section.r_b = {kNan}; }},
+      {"/rods/0/section/radius", [](Model& m) { m.rods[0].section.r_n = m.rods[0].section.r_b = {kInfinity}; }},
       {"/rods/0/section/r_b", [](Model& m) { m.rods[0].section.r_b = {0.0}; }},
-      {"/rods/0/section", [](Model& m) { m.rods[0].section.r_b = {1, 1}; }},
+      {"/rods/0/section",
+       [](Model& m) {
+         m.rods[0].section.r_b = {1, 1};
+       }},
       {"/rods/0/section", [](Model& m) { m.rods[0].section = {}; }},
       {"/rods/0/axes/normal", [](Model& m) { m.rods[0].axes.normal.setZero(); }},
       {"/rods/0/axes/per_point", [](Model& m) { m.rods[0].axes.kind = MaterialAxes::Kind::kPerPoint; }},
@@ -75,12 +83,12 @@ TEST(Validate, MistakesAreReportedWhereTheDocumentWouldSayThem) {
       {"/rods/0/edges", [](Model& m) { m.rods[0].edges = -3; }},
       {"/rods", [](Model& m) { m.rods.clear(); }},
       {"/joints/merge_distance", [](Model& m) { m.merge_distance = kNan; }},
-      {"/joints/exceptions/0/at",
-       [](Model& m) { m.joints = {{.at = {.kind = Selector::Kind::kSet, .name = "tpi"}}}; }},
+      {"/joints/exceptions/0/at", [](Model& m) { m.joints = {{.at = {.kind = Selector::Kind::kSet, .name = "tpi"}}}; }},
       {"/sets/tip/rod", [](Model& m) { m.sets[0].nodes.name = "bream"; }},
       {"/sets/tip/at", [](Model& m) { m.sets[0].nodes.fraction = 1.5; }},
       {"/sets/tip", [](Model& m) { m.sets[0].nodes = {.kind = Selector::Kind::kUnion}; }},
-      {"/sets/tip/point", [](Model& m) { m.sets[0].nodes = {.kind = Selector::Kind::kPoint, .point = Vec3(0, kNan, 0)}; }},
+      {"/sets/tip/point",
+       [](Model& m) { m.sets[0].nodes = {.kind = Selector::Kind::kPoint, .point = Vec3(0, kNan, 0)}; }},
       {"/sets/joints", [](Model& m) { m.sets[0].name = "joints"; }},
       {"/poses/1/name", [](Model& m) { m.poses.push_back({.name = "p"}); }},
       {"/poses/0/supports/0/move", [](Model& m) { m.poses[0].supports[0].move[1] = kNan; }},
@@ -103,7 +111,10 @@ TEST(Validate, MistakesAreReportedWhereTheDocumentWouldSayThem) {
       {"/motions/0/pose", [](Model& m) { m.motions[0].pose = "q"; }},
       {"/motions/0/step", [](Model& m) { m.motions[0].step = 2; }},
       {"/motions/0/duration", [](Model& m) { m.motions[0].duration = kNan; }},
-      {"/motions/0/load_factor/1", [](Model& m) { m.motions[0].load_factor = {Vec2(0, 1), Vec2(0, 2)}; }},
+      {"/motions/0/load_factor/1",
+       [](Model& m) {
+         m.motions[0].load_factor = {Vec2(0, 1), Vec2(0, 2)};
+       }},
       {"/motions/0/kicks/0/velocity", [](Model& m) { m.motions[0].kicks[0].velocity[2] = kInfinity; }},
       {"/expect/0/pose", [](Model& m) { m.expectations[0].poses = {"q"}; }},
       {"/expect/0/axis", [](Model& m) { m.expectations[0].axis = Vec3(1, 1, 0); }},
