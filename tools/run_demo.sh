@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What `make run` shows once the tool is built.
+# What `make run` shows once the tool is built: a gridshell that rises and a hexagon sheet that hangs, solved, drawn and
+# written for ParaView. Results go to out/.
 set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
@@ -16,3 +17,16 @@ show() {
 }
 
 show "$lissom" --version
+for scene in gridshell hexagon_sheet; do
+  show "$lissom" solve "scene:$scene" -o out --picture png --field stress --vtu
+done
+
+printf '\nIn %s/out:\n' "$PWD"
+ls -1 out
+printf '%s\n' \
+  "" \
+  ".png    the shape in colour (largest stress at the surface), the drawn one in grey" \
+  ".vtu    the same for ParaView, with strain, curvature, twist and energy as arrays" \
+  ".json   everything that was computed; 'lissom solve --resume' goes on from it, 'lissom draw' draws it" \
+  "" \
+  "Next: 'build/release/lissom --help', docs/guide."

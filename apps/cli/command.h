@@ -13,7 +13,12 @@ using Runner = std::function<int()>;
 using AddCommand = void (*)(CLI::App& app, Runner& chosen);
 
 void add_solve(CLI::App& app, Runner& chosen);
+void add_path(CLI::App& app, Runner& chosen);
+void add_draw(CLI::App& app, Runner& chosen);
 void add_verify(CLI::App& app, Runner& chosen);
+void add_convert(CLI::App& app, Runner& chosen);
+void add_schema(CLI::App& app, Runner& chosen);
+void add_scenes(CLI::App& app, Runner& chosen);
 
 /// Exit codes besides those of verdicts.
 enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kFileTrouble = 4 };

@@ -1,14 +1,13 @@
 // lissom solve FILE
 
 #include <fmt/format.h>
-#include <map>
 #include <numbers>
 
+#include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/solver_arguments.h"
 #include "apps/cli/terminal.h"
-#include "lissom/core/file_io.h"
 #include "lissom/session/command_solve.h"
 
 namespace lissom::cli {
@@ -57,12 +56,6 @@ void print_pose(const SolvedPose& pose) {
   for (const std::filesystem::path& file : pose.files) line("wrote", file.string());
 }
 
-Result<SavedResult> read_saved(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
-  return read_result(text.value(), path);
-}
-
 int solve_file(Arguments& arguments) {
   SolveCommand& command = arguments.command;
   if (!arguments.resume.empty()) {
@@ -74,22 +67,19 @@ int solve_file(Arguments& arguments) {
   if (!document) return report(document.error(), arguments.file);
   command.folder = arguments.folder.empty() ? document.value().default_output() : std::filesystem::path(arguments.folder);
   command.vtu = arguments.vtu ? ParaView::kYes : ParaView::kNo;
-  if (!arguments.picture.empty()) command.picture = arguments.picture == "svg" ? ImageFormat::kSvg : ImageFormat::kPng;
+  if (!arguments.picture.empty()) command.picture = format_named(arguments.picture);
   Run run(arguments.run);
   const Result<std::vector<SolvedPose>> results = solve_command(document.value(), command, run.context());
   run.clear_line();
   if (!results) return report(results.error(), arguments.file);
   int code = kDone;
-  std::string json;
+  std::vector<std::string> summaries;
   for (const SolvedPose& pose : results.value()) {
     if (code == kDone) code = verdict_info(pose.equilibrium.verdict).exit_code;
-    if (arguments.json) {
-      json += (json.empty() ? "" : ",\n  ") + pose.summary;
-    } else {
-      print_pose(pose);
-    }
+    summaries.push_back(pose.summary);
+    if (!arguments.json) print_pose(pose);
   }
-  if (arguments.json) print("{\"poses\": [\n  " + json + "\n]}\n");
+  if (arguments.json) print_json_list("poses", summaries);
   return code;
 }
 

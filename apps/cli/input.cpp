@@ -3,12 +3,16 @@
 #include <vector>
 
 #include "apps/cli/scene_list.h"
+#include "lissom/core/file_io.h"
 #include "lissom/core/nearest_name.h"
 
 namespace lissom::cli {
 
+namespace {
+constexpr std::string_view kScene = "scene:";
+}
+
 Result<Document> read_input(const std::string& input) {
-  constexpr std::string_view kScene = "scene:";
   if (!input.starts_with(kScene)) return read_document_file(input);
   const std::string name = input.substr(kScene.size());
   std::vector<std::string> known;
@@ -17,6 +21,27 @@ Result<Document> read_input(const std::string& input) {
     known.emplace_back(scene.name);
   }
   return Error{ErrorCode::kUnknown, input, "there is no scene \"" + name + "\"", suggestion(name, known)};
+}
+
+Result<SavedResult> read_saved(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  return read_result(text.value(), path);
+}
+
+Result<Drawable> read_drawable(const std::string& input, const std::string& pose) {
+  if (!input.starts_with(kScene)) {
+    const Result<std::string> text = read_file(input);
+    if (!text) return text.error();
+    if (is_result(text.value())) {
+      Result<SavedResult> saved = read_result(text.value(), input);
+      if (!saved) return saved.error();
+      return make_drawable(std::move(saved).value());
+    }
+  }
+  Result<Document> document = read_input(input);
+  if (!document) return document.error();
+  return make_drawable(std::move(document).value(), pose);
 }
 
 }  // namespace lissom::cli

@@ -23,7 +23,7 @@ void Reader::fail_kind(std::string_view expected, const JsonValue& got) {
 
 std::string Reader::where() const {
   std::string text;
-  for (const std::string& step : path_) text += "/" + pointer_step(step);
+  for (const std::string& step : path_) text.append("/").append(pointer_step(step));
   return text;
 }
 

@@ -9,12 +9,13 @@
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/equilibrium.h"
 #include "lissom/equilibrium/options.h"
+#include "lissom/session/paraview.h"
 #include "lissom/session/results_json.h"
 #include "lissom/view/canvas.h"
 
 namespace lissom {
 
-enum class ParaView { kNo, kYes };
+
 
 struct SolveCommand {
   std::vector<std::string> poses;    ///< names; empty: all

@@ -181,7 +181,7 @@ Result<double> node_slope(const Measurement& m) {
   const StructureRod* rod = nullptr;
   int k = -1;
   for (const StructureRod& candidate : system.structure.rods) {
-    if (!m.expectation.rod.empty() && m.expectation.edges.empty() && candidate.name != m.expectation.rod) continue;
+    if (!m.expectation.rod.empty() && candidate.name != m.expectation.rod) continue;
     const int index = index_in(candidate, node.value());
     if (index < 0) continue;
     if (rod != nullptr) {

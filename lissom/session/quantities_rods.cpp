@@ -79,7 +79,7 @@ Result<Stretched> stretched_at(const Measurement& m) {
 template <class Of>
 Result<double> sum_over_edges(const Measurement& m, const System& system, const Of& of) {
   double sum = 0;
-  if (m.expectation.rod.empty() || !m.expectation.edges.empty()) {
+  if (m.expectation.rod.empty()) {
     for (int e = 0; e < system.edge_count(); ++e) sum += of(e);
     return sum;
   }

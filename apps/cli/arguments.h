@@ -1,0 +1,22 @@
+#pragma once
+/// Words on the command line as values.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lissom/core/types.h"
+#include "lissom/view/canvas.h"
+
+namespace lissom::cli {
+
+/// Unit vector of "x", "y" or "z"; nothing for an empty text.
+std::optional<Vec3> axis_named(const std::string& name);
+
+/// Of "svg" or "png".
+ImageFormat format_named(const std::string& name);
+
+/// {"NAME": [entry, ...]} on standard output, one entry per line.
+void print_json_list(const std::string& name, const std::vector<std::string>& entries);
+
+}  // namespace lissom::cli

@@ -1,0 +1,27 @@
+#pragma once
+/// `convert`: between documents, line networks, and the files of other programs.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lissom/model/import_network.h"
+#include "lissom/session/drawable.h"
+
+namespace lissom {
+
+enum class ObjContent { kCentrelines, kSurfaces };
+
+struct ConvertCommand {
+  ObjContent obj = ObjContent::kCentrelines;  ///< of an OBJ file that is written
+  std::string field;                          ///< colours of a PLY file; empty: none
+  std::filesystem::path file;                 ///< .lissom, .obj, .vtu, .vtp or .ply
+};
+
+/// The line network of an OBJ file as a document; notes say what was left out of it, and how large it is.
+Result<Document> import_document(const std::filesystem::path& path, const NetworkOptions& options,
+                                 std::vector<std::string>& notes);
+
+Status convert_command(const Drawable& drawable, const ConvertCommand& command);
+
+}  // namespace lissom

@@ -1,0 +1,164 @@
+"""The other commands: verify, path, draw, convert, schema, scenes."""
+import csv
+import json
+import math
+import xml.etree.ElementTree as ElementTree
+
+import tool
+
+TIP = {"quantity": "displacement", "at": "tip", "axis": "-z", "unit": "mm"}
+RADIUS, LENGTH = 1e-3, 0.2  # m
+
+
+class Verify(tool.ToolTest):
+    def check(self, *entries, code, **document):
+        self.write("claims.lissom", tool.cantilever(expect=list(entries), **document))
+        out, _ = self.run_tool("verify", "claims.lissom", code=code)
+        return out.splitlines()
+
+    def test_passes_and_fails(self):
+        self.write("beam.lissom", tool.cantilever())
+        self.run_tool("solve", "beam.lissom", "--tolerance", "1e-9")
+        result = json.loads((self.folder / "out/beam-loaded.json").read_text(encoding="utf-8"))
+        tip = -1000 * result["state"]["unknowns"][3 * 20 + 2]
+        lines = self.check({**TIP, "label": "right", "value": tip, "tolerance": "0.001 %"},
+                           {**TIP, "label": "wrong", "value": 1.01 * tip, "tolerance": "0.5 %"},
+                           {**TIP, "label": "absolute", "value": tip + 1, "tolerance": 1.001}, code=1)
+        self.assertTrue(lines[0].startswith("PASS  claims: right: got "), lines[0])
+        self.assertTrue(lines[1].startswith("FAIL  claims: wrong: got "), lines[1])
+        self.assertIn("deviation -0.99 %, tolerance 0.5 %", lines[1])
+        self.assertTrue(lines[2].startswith("PASS  claims: absolute"), lines[2])
+        self.assertEqual(lines[-1], "2 passed, 1 failed")
+
+    def test_what_cannot_be_measured_fails_with_the_reason(self):
+        wrong = {
+            "there is no quantity": {"quantity": "displacment", "at": "tip"},
+            'does not read "axis"': {"quantity": "mass", "axis": "x"},
+            'needs "axis"': {"quantity": "position", "at": "tip"},
+            'needs "fraction"': {"quantity": "curvature", "rod": "beam"},
+            "there is no frame": {"quantity": "rotation", "at": {"rod": "beam", "at": 0.5}, "axis": "x"},
+            "one node": {"quantity": "slope", "at": "all"},
+            'has no "path"': {"quantity": "critical_load_factor"},
+            "resolutions": {"quantity": "displacement", "at": "tip", "combine": "order", "edges": [10, 20]},
+        }
+        for reason, entry in wrong.items():
+            lines = self.check({**entry, "value": 1, "tolerance": 1e6}, code=1)
+            self.assertTrue(lines[0].startswith("FAIL"), lines[0])
+            self.assertIn(reason, lines[0])
+
+    def test_a_document_that_expects_nothing_fails(self):
+        lines = self.check(code=1)
+        self.assertIn("expects nothing", lines[0])
+        self.assertEqual(lines[-1], "0 passed, 1 failed")
+
+    def test_several_files_and_wrong_ones(self):
+        self.write("a.lissom", tool.cantilever(expect=[{"quantity": "rest_length", "value": "200 mm", "tolerance": "0.1 %"}]))
+        self.write("b.lissom", "{")
+        out, _ = self.run_tool("verify", "a.lissom", "b.lissom", "missing.lissom", code=1)
+        self.assertEqual(out.splitlines()[-1], "1 passed, 2 failed")
+        self.run_tool("verify", "a.lissom", "a.lissom", "--threads", "2")
+
+    def test_statics_of_a_cantilever(self):
+        """Reactions balance the load; the small-load rate is P L^3 / 3 B; half the work of a small load is the energy."""
+        expect = [
+            {"quantity": "reaction_force", "at": "all", "axis": "z", "value": "1.2 mN", "tolerance": "0.0001 %"},
+            {"quantity": "reaction_moment_rate", "at": {"rod": "beam", "at": "start"}, "axis": "y",
+             "value": "-0.24 N mm", "tolerance": "0.0001 %"},
+            {"quantity": "displacement_rate", "at": "tip", "axis": "-z", "divide_by": 0.0012 * LENGTH**3 / 3,
+             "value": 1 / (25e6 * math.pi * RADIUS**4 / 4), "tolerance": "0.1 %"},
+            {"quantity": "slope", "at": {"rod": "beam", "at": "start"}, "value": 0, "tolerance": "2 deg"},
+            {"quantity": "length", "rod": "beam", "value": "200 mm", "tolerance": "0.01 %"},
+            {"quantity": "energy", "combine": "difference", "poses": ["loaded", "loaded"], "value": 0, "tolerance": 1e-15},
+        ]
+        material = {"soft": {"youngs_modulus": "25 MPa", "poisson_ratio": 0.4}}
+        document = tool.cantilever(edges=40, materials=material, expect=expect)
+        document["rods"][0]["material"] = "soft"
+        self.write("claims.lissom", document)
+        out, _ = self.run_tool("verify", "claims.lissom")
+        self.assertEqual(out.splitlines()[-1], "6 passed, 0 failed")
+
+    def test_lists_quantities(self):
+        out, _ = self.run_tool("verify", "--quantities")
+        for name in ("displacement", "critical_load", "principal_stiffness"):
+            self.assertIn(name, out)
+
+
+class Path(tool.ToolTest):
+    def test_finds_the_buckling_load(self):
+        self.write("column.lissom", tool.column())
+        out, _ = self.run_tool("path", "column.lissom", "--json", "--vtu", "--watch", "tip", "--axis", "x")
+        followed = json.loads(out)["poses"][0]
+        critical = followed["critical"][0]
+        self.assertEqual(critical["kind"], "bifurcation")
+        self.assertEqual(followed["end"]["name"], "reached")
+        with open(self.folder / "out/column-loaded-path.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(followed["points"]))
+        self.assertEqual(float(rows[-1]["load_factor"]), 0.25)
+        self.assertEqual(float(rows[-1]["displacement_m"]), followed["points"][-1]["displacement_m"])
+        series = ElementTree.parse(self.folder / "out/column-loaded-path.pvd").findall(".//DataSet")
+        self.assertEqual(len(series), len(rows))
+        for entry in series:
+            self.assertTrue((self.folder / "out" / entry.get("file")).exists())
+
+    def test_stops_where_told(self):
+        self.write("column.lissom", tool.column())
+        out, _ = self.run_tool("path", "column.lissom", "--stop-at-critical", "--picture", "png")
+        self.assertIn("bifurcation at load factor 0.1", out)
+        self.assertTrue((self.folder / "out/column-loaded-path.png").exists())
+
+    def test_wrong_use(self):
+        self.write("column.lissom", tool.column())
+        _, err = self.run_tool("path", "column.lissom", "--to", "0", code=3)
+        self.assertIn("same load factor", err)
+        _, err = self.run_tool("path", "column.lissom", "--watch", "tipp", code=3)
+        self.assertIn('did you mean "tip"', err)
+
+
+class Files(tool.ToolTest):
+    def test_draw(self):
+        self.write("beam.lissom", tool.cantilever())
+        self.run_tool("solve", "beam.lissom")
+        self.run_tool("draw", "beam.lissom", "--pose", "loaded")
+        self.run_tool("draw", "out/beam-loaded.json", "--field", "stress", "--camera", "front", "--size", "640x480", "-o", "a.png")
+        for state in ("rest", "deformed", "both"):
+            self.run_tool("draw", "out/beam-loaded.json", "--state", state, "-o", state + ".svg")
+            ElementTree.parse(self.folder / (state + ".svg"))
+        self.assertTrue((self.folder / "out/beam.svg").exists())
+        self.assertTrue((self.folder / "a.png").read_bytes().startswith(b"\x89PNG"))
+        self.run_tool("draw", "beam.lissom", "--size", "640", code=2)
+        self.run_tool("draw", "beam.lissom", "-o", "a.gif", code=3)
+        self.run_tool("draw", "beam.lissom", "--field", "colour", "-o", "a.svg", code=3)
+        out, _ = self.run_tool("draw", "--fields")
+        self.assertIn("curvature", out)
+
+    def test_convert(self):
+        self.write("beam.lissom", tool.cantilever())
+        self.run_tool("solve", "beam.lissom")
+        self.run_tool("convert", "beam.lissom", "beam.obj")
+        self.run_tool("convert", "beam.obj", "back.lissom", "--material", "PLA", "--radius", "2 mm", "--edges", "1")
+        back = self.result("back.lissom")
+        self.assertEqual(back["rods"][0]["material"], "PLA")
+        self.run_tool("convert", "back.lissom", "again.lissom")
+        self.assertEqual((self.folder / "back.lissom").read_bytes(), (self.folder / "again.lissom").read_bytes())
+        for name in ("shape.vtu", "shape.vtp", "shape.ply", "shape.obj"):
+            self.run_tool("convert", "out/beam-loaded.json", name, "--obj", "surfaces", "--field", "stress")
+            self.assertGreater((self.folder / name).stat().st_size, 1000)
+        self.run_tool("convert", "beam.lissom", "beam.stl", code=3)
+        self.run_tool("convert", "beam.obj", "x.lissom", "--unit", "second", code=3)
+
+    def test_schema_is_the_published_one(self):
+        out, _ = self.run_tool("schema")
+        self.assertEqual(out, (tool.ROOT / "docs/guide/lissom.schema.json").read_text(encoding="utf-8"))
+
+    def test_scenes_can_be_listed_and_written(self):
+        out, _ = self.run_tool("scenes")
+        for line in out.splitlines():
+            name = line.split()[0]
+            self.run_tool("scenes", name, "-o", "scene.lissom")
+            self.assertEqual(self.result("scene.lissom")["lissom"], 1)
+        self.run_tool("scenes", "no-such-scene", code=3)
+
+
+if __name__ == "__main__":
+    tool.main()
