@@ -6,7 +6,7 @@
 
 namespace lissom {
 
-Status Output::write(const std::filesystem::path& name, std::string_view bytes) {
+Status Output::write(const std::filesystem::path& name, const std::string& bytes) {
   const std::filesystem::path path = folder_ / name;
   if (path.has_parent_path()) {
     std::error_code code;
