@@ -23,7 +23,7 @@ Status Output::write(const std::filesystem::path& name, const std::string& bytes
 
 Status Output::write(const std::filesystem::path& name, const Result<std::string>& bytes) {
   if (!bytes) return bytes.error();
-  return write(name, std::string_view(bytes.value()));
+  return write(name, bytes.value());
 }
 
 }  // namespace lissom
