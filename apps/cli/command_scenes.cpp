@@ -31,7 +31,7 @@ int show_scenes(const Arguments& arguments) {
   }
   const std::filesystem::path file = arguments.output;
   Output output(file.parent_path());
-  if (const Status s = output.write(file.filename(), std::string_view(text)); !s) return report(s.error());
+  if (const Status s = output.write(file.filename(), text); !s) return report(s.error());
   print("wrote " + arguments.output + "\n");
   return kDone;
 }

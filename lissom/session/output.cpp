@@ -6,7 +6,7 @@
 
 namespace lissom {
 
-Status Output::write(const std::filesystem::path& name, std::string_view bytes) {
+Status Output::write(const std::filesystem::path& name, const std::string& bytes) {
   const std::filesystem::path path = folder_ / name;
   if (path.has_parent_path()) {
     std::error_code code;
@@ -23,7 +23,7 @@ Status Output::write(const std::filesystem::path& name, std::string_view bytes) 
 
 Status Output::write(const std::filesystem::path& name, const Result<std::string>& bytes) {
   if (!bytes) return bytes.error();
-  return write(name, std::string_view(bytes.value()));
+  return write(name, bytes.value());
 }
 
 }  // namespace lissom

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "lissom/core/result.h"
@@ -19,7 +18,7 @@ class Output {
   const std::vector<std::filesystem::path>& written() const { return written_; }
 
   /// Replaces `name` in the folder as a whole or not at all.
-  Status write(const std::filesystem::path& name, std::string_view bytes);
+  Status write(const std::filesystem::path& name, const std::string& bytes);
   /// The same for bytes that may not have come about.
   Status write(const std::filesystem::path& name, const Result<std::string>& bytes);
 
