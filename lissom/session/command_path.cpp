@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 
 #include "lissom/session/fields.h"
 #include "lissom/session/path_json.h"
@@ -68,8 +67,10 @@ double displacement(const System& system, const State& state, const std::vector<
 Chart path_chart(const std::string& title, const FollowedPose& followed) {
   Chart chart;
   chart.title = title;
-  chart.x = {.label = "displacement of " + followed.watched, .unit = "mm", .display_scale = 1000};
-  chart.y = {.label = "load factor"};
+  chart.x.label = "displacement of " + followed.watched;
+  chart.x.unit = "mm";
+  chart.x.display_scale = 1000;
+  chart.y.label = "load factor";
   // Stable and unstable stretches are series of their own; they share the point between them.
   ChartSeries stable{.name = "stable", .style = ChartSeries::Style::kLineAndPoints}, unstable = stable;
   unstable.name = "unstable";
