@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lissom/session/json_lines.h"
+
 namespace lissom {
 
 namespace {
@@ -42,8 +44,6 @@ Json head(const FollowedPose& followed) {
   return json;
 }
 
-std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 }  // namespace
 
 std::string path_text(const Document& document, const FollowedPose& followed) {
@@ -59,21 +59,14 @@ std::string path_text(const Document& document, const FollowedPose& followed) {
   }
   json["critical_states"] = std::move(modes);
   json["points"] = table_json(followed.table);
-  std::string text = "{\n";
-  for (auto entry = json.begin(); entry != json.end(); ++entry) {
-    if (entry != json.begin()) text += ",\n";
-    text += "  " + line(Json(entry.key())) + ": " + line(entry.value());
-  }
-  return text + "\n}\n";
+  return json_lines(json);
 }
 
 std::string path_summary(const FollowedPose& followed) {
   Json json = head(followed);
   json["points"] = table_json(followed.table);
-  Json names = Json::array();
-  for (const std::filesystem::path& file : followed.files) names.push_back(file.string());
-  json["files"] = std::move(names);
-  return line(json);
+  json["files"] = file_list(followed.files);
+  return json_line(json);
 }
 
 }  // namespace lissom

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "lissom/model/document.h"
+#include "lissom/session/json_lines.h"
 #include "lissom/session/state_json.h"
 
 namespace lissom {
@@ -90,22 +91,14 @@ std::string result_text(const Document& document, const Pose& pose, const System
   const VecX& reaction = equilibrium.reaction;
   json["reaction"] = std::span<const double>(reaction.data(), static_cast<size_t>(reaction.size()));
   json["state"] = state_to_json(equilibrium.state);
-  // One line per entry: readable at the top, compact where it is long.
-  std::string text = "{\n";
-  for (auto entry = json.begin(); entry != json.end(); ++entry) {
-    if (entry != json.begin()) text += ",\n";
-    text += "  " + Json(entry.key()).dump() + ": " + entry.value().dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-  return text + "\n}\n";
+  return json_lines(json);
 }
 
 std::string result_summary(const Pose& pose, const System& system, const std::vector<std::string>& removed_motions,
                            const Equilibrium& equilibrium, const std::vector<std::filesystem::path>& files) {
   Json json = summary_of(pose, system, removed_motions, equilibrium);
-  Json names = Json::array();
-  for (const std::filesystem::path& file : files) names.push_back(file.string());
-  json["files"] = std::move(names);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  json["files"] = file_list(files);
+  return json_line(json);
 }
 
 Result<SavedResult> read_result(std::string_view text, const std::string& name) {
