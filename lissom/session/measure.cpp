@@ -76,7 +76,7 @@ Result<double> convergence_order(const std::vector<int>& edges, const std::vecto
 
 Result<double> combined_resolutions(const Expectation& e, const std::vector<double>& q, const std::string& where) {
   const size_t n = q.size();
-  if (e.combine.empty()) return q.front();
+  if (e.combine != "order" && e.combine != "limit") return q.front();
   for (size_t i = 1; i < n; ++i) {
     if (e.edges[i] > e.edges[i - 1]) continue;
     return Error{ErrorCode::kRange, where + "/edges", "the resolutions have to grow", "write for example [20, 40, 80]"};
