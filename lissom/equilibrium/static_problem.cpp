@@ -72,8 +72,8 @@ VecX make_mode_metric(const System& system, const Supports& supports) {
 }  // namespace
 
 Result<StaticProblem> make_static_problem(const Model& model, const System& system, const Pose& pose,
-                                          const std::string& where) {
-  Result<Supports> supports = Supports::make(model, system, pose, where);
+                                          const std::string& where, NullMotions null_motions) {
+  Result<Supports> supports = Supports::make(model, system, pose, where, null_motions);
   if (!supports) return supports.error();
   auto terms = make_terms(model, system, &pose, where);
   if (!terms) return terms.error();

@@ -32,7 +32,8 @@ struct StaticProblem {
 
 /// `where` is the JSON pointer of the pose, for errors ("/poses/0").
 Result<StaticProblem> make_static_problem(const Model& model, const System& system, const Pose& pose,
-                                          const std::string& where);
+                                          const std::string& where,
+                                          NullMotions null_motions = NullMotions::kRemove);
 
 /// The drawn shape with the pose's seed: where a solve starts from.
 State start_state(const StaticProblem& problem, const Pose& pose);

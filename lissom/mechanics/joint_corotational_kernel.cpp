@@ -33,8 +33,10 @@ MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int 
   const int n = 3 * count;
   Mat3 covariance = Mat3::Zero();
   for (int i = 0; i < count; ++i) {
-    covariance += edges[i].weight_t * edges[i].frame.t * edges[i].rest_frame.t.transpose() +
-                  edges[i].weight_n * edges[i].frame.n() * edges[i].rest_frame.n.transpose();
+    const CorotationalEdge& e = edges[i];
+    covariance += e.weight.t * e.frame.t * e.rest_frame.t.transpose() +
+                  e.weight.n * e.frame.n() * e.rest_frame.n.transpose() +
+                  e.weight.b * e.frame.b * e.rest_frame.b.transpose();
   }
   const Mat3 stretch = rotation.transpose() * covariance;
   const Mat3 s = 0.5 * (stretch + stretch.transpose());
@@ -44,13 +46,16 @@ MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int 
   // N_u for every component u of w, then omega_u, S_u (3.20).
   std::array<Mat3, 3 * kMaxCorotationalEdges> n_u, s_u;
   std::array<Vec3, 3 * kMaxCorotationalEdges> omega;
-  const auto covariance_of = [&](const CorotationalEdge& e, const Vec3& dt, const Vec3& dn) -> Mat3 {
-    return e.weight_t * dt * e.rest_frame.t.transpose() + e.weight_n * dn * e.rest_frame.n.transpose();
+  // What `change` of the frame's axes does to the covariance.
+  const auto covariance_of = [&](const CorotationalEdge& e, const auto& change) -> Mat3 {
+    return e.weight.t * change(e.frame.t) * e.rest_frame.t.transpose() +
+           e.weight.n * change(e.frame.n()) * e.rest_frame.n.transpose() +
+           e.weight.b * change(e.frame.b) * e.rest_frame.b.transpose();
   };
   for (int u = 0; u < n; ++u) {
     const CorotationalEdge& e = edges[u / 3];
     const Vec3 axis = Vec3::Unit(u % 3);
-    n_u[u] = covariance_of(e, axis.cross(e.frame.t), axis.cross(e.frame.n()));
+    n_u[u] = covariance_of(e, [&](const Vec3& x) -> Vec3 { return axis.cross(x); });
     omega[u] = 2 * g_inverse * axial(rotation.transpose() * n_u[u]);
     s_u[u] = rotation.transpose() * (n_u[u] - skew(omega[u]) * rotation * s);
   }
@@ -66,8 +71,8 @@ MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int 
       if (u / 3 == v / 3) {
         const CorotationalEdge& e = edges[u / 3];
         const Vec3 a = Vec3::Unit(u % 3), b = Vec3::Unit(v % 3);
-        const auto twice = [&](const Vec3& x) -> Vec3 { return 0.5 * (a.cross(b.cross(x)) + b.cross(a.cross(x))); };
-        n_uv += covariance_of(e, twice(e.frame.t), twice(e.frame.n()));
+        n_uv += covariance_of(
+            e, [&](const Vec3& x) -> Vec3 { return 0.5 * (a.cross(b.cross(x)) + b.cross(a.cross(x))); });
       }
       const Mat3 s_v = s_u[v].trace() * Mat3::Identity() - s_u[v];
       const Vec3 omega_uv = 2 * g_inverse * axial(rotation.transpose() * n_uv) -

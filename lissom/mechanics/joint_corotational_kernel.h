@@ -9,17 +9,23 @@
 
 namespace lissom {
 
-/// Weights of tangents and normals in shape matching, from the rest numbers of a connection (half-edge length).
+/// Weights of tangents, normals and binormals in shape matching, from the rest numbers of a connection.
 template <class T>
 struct ConnectionWeights {
-  T t, n;
+  T t, n, b;
 };
+
+/// kEnergy: the weights with which sum w_t |t - R tbar|^2 + w_n |n - R nbar|^2 + w_b |b - R bbar|^2 resists a small
+/// rotation about n, b, t with B_1, B_2, beta over the half edge, as the springs of the joint do. The matched rotation is
+/// then, to first order, the one that minimises their energy: the joint is as soft as an explicit one. Tangents and
+/// normals alone (erratum E10) can match two of the three stiffnesses only; see docs/energies/joint_corotational.md.
 template <class T>
 ConnectionWeights<T> connection_weights(const T* rest, JointWeights kind) {
-  const T bend = rest[kBend1] + rest[kBend2];
-  if (kind == JointWeights::kThesis) return {bend, rest[kTwistStiffness]};
-  const T edge_length = rest[kPairLength] * T(2);
-  return {bend / (edge_length * T(2)), rest[kTwistStiffness] / edge_length};
+  if (kind == JointWeights::kThesis) return {rest[kBend1] + rest[kBend2], rest[kTwistStiffness], T(0)};
+  const T per_length = T(0.5) / rest[kPairLength];
+  return {(rest[kBend1] + rest[kBend2] - rest[kTwistStiffness]) * per_length,
+          (rest[kTwistStiffness] + rest[kBend2] - rest[kBend1]) * per_length,
+          (rest[kTwistStiffness] + rest[kBend1] - rest[kBend2]) * per_length};
 }
 
 /// Joints of 2 to this many edges can be corotational.
@@ -51,7 +57,7 @@ struct CorotationalEdge {
   Frame rest_frame;
   double length, twist;
   int direction;
-  double weight_t, weight_n;
+  ConnectionWeights<double> weight;
   const double* rest;  ///< PairRestIndex order
 };
 

@@ -50,7 +50,8 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
     at_rest[i].t = rotated_by_vector<T>(turn, f.edge[i].rest_frame.t.template cast<T>());
     at_rest[i].b = rotated_by_vector<T>(turn, f.edge[i].rest_frame.b.template cast<T>());
     const ConnectionWeights<T> w = connection_weights<T>(r, f.weights);
-    covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose();
+    covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose() +
+                  (edge[i].b * w.b) * at_rest[i].b.transpose();
   }
   const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps);
   T v(0);

@@ -10,9 +10,6 @@ namespace lissom {
 /// Rest numbers of a connection: those of a pair, then a rotation vector that turns the rest frame of the edge.
 enum { kRestTurn = kPairRestCount, kConnectionRestCount = kPairRestCount + 3 };
 
-inline std::array<double, kPairRestCount> rest_values(const PairRest& r) {
-  return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length};
-}
 inline std::array<double, kConnectionRestCount> connection_rest_values(const PairRest& r) {
   return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length, 0, 0, 0};
 }

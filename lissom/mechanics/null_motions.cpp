@@ -171,9 +171,11 @@ bool has_soft_pin(const Model& model, const System& system, const Pose& pose, in
 }  // namespace
 
 Status remove_null_motions(const Model& model, const System& system, const Pose& pose, const std::string& where,
-                           const std::vector<LocalAxes>& local_axes, std::vector<bool>& held,
+                           const std::vector<LocalAxes>& local_axes, NullMotions choice, std::vector<bool>& held,
                            std::vector<std::string>& removed) {
+  if (choice == NullMotions::kKeep) return {};
   remove_spins(system, held, removed);
+  if (choice == NullMotions::kKeepRigid) return {};
   const Result<VecX> load = full_loads(model, system, pose, where);
   if (!load) return load.error();
   const PartSupport support(system, local_axes, held);

@@ -82,7 +82,7 @@ void RodBendTwist::derivatives(const Local<T>& a, T* gradient, T* hessian) {
   const T kappa1 = kb.dot(an) * chi * T(0.5), kappa2 = kb.dot(ab) * chi * T(0.5);
   const T per_length = T(1) / a.rest[kPairLength];
   const T c1 = a.rest[kBend1] * per_length, c2 = a.rest[kBend2] * per_length, c3 = a.rest[kTwistStiffness] * per_length;
-  const T s1 = c1 * (kappa1 - a.rest[kKappa1]), s2 = c2 * (kappa2 - a.rest[kKappa2]), s3 = c3 * (a.twist - a.rest[kTwist]);
+  const T s1 = c1 * (kappa1 - a.rest[kKappa1]), s2 = c2 * (kappa2 - a.rest[kKappa2]), s3 = c3 * (a.twist - a.rest[kRestTwist]);
   const T per_l1 = T(1) / a.length1, per_l2 = T(1) / a.length2;
 
   // Gradients of the three strains by (e1, theta1, e2, theta2).

@@ -9,7 +9,8 @@ Mat3 cross_covariance(const System& system, int joint, const std::vector<EdgeSta
   for (int k = system.first_connection[joint]; k < system.first_connection[joint + 1]; ++k) {
     const Connection& c = system.connections[k];
     const EdgeState& edge = edges[c.edge];
-    n += c.weight_t * edge.t * c.rest.t.transpose() + c.weight_n * edge.t.cross(edge.b) * c.rest.n.transpose();
+    n += c.weight.t * edge.t * c.rest.t.transpose() + c.weight.n * edge.t.cross(edge.b) * c.rest.n.transpose() +
+         c.weight.b * edge.b * c.rest.b.transpose();
   }
   return n;
 }

@@ -8,7 +8,7 @@
 
 namespace lissom {
 
-/// N = sum w_t t tbar' + w_n n nbar' over the connections of a joint.
+/// N = sum w_t t tbar' + w_n n nbar' + w_b b bbar' over the connections of a joint.
 Mat3 cross_covariance(const System& system, int joint, const std::vector<EdgeState>& edges);
 
 /// Whether the nearest rotation to N is not determined: its second and signed third singular values cancel.

@@ -2,12 +2,14 @@
 /// Strains of a pair of frames and their energy: the one place where bending and twist are defined [mathematics 1.3, 1.4;
 /// Bergou et al. 2008, 2010; errata E3 to E5]. Written once for doubles, packs and duals.
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
 
 #include "lissom/core/dual.h"
 #include "lissom/core/types.h"
+#include "lissom/mechanics/rest_state.h"
 
 namespace lissom {
 
@@ -68,12 +70,16 @@ T twist(const FrameT<T>& first, const FrameT<T>& second, double near) {
 }
 
 /// Rest numbers of a bending-twist spring, in this order wherever they are active variables.
-enum PairRestIndex { kKappa1, kKappa2, kTwist, kBend1, kBend2, kTwistStiffness, kPairLength, kPairRestCount };
+enum PairRestIndex { kKappa1, kKappa2, kRestTwist, kBend1, kBend2, kTwistStiffness, kPairLength, kPairRestCount };
+
+inline std::array<double, kPairRestCount> rest_values(const PairRest& r) {
+  return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length};
+}
 
 /// V = (B_1 (kappa_1 - kappabar_1)^2 + B_2 (kappa_2 - kappabar_2)^2 + beta (m - mbar)^2) / (2 l), J.
 template <class T>
 T bend_twist_energy(const Curvature<T>& k, const T& m, std::span<const T, kPairRestCount> rest) {
-  const T d1 = k.kappa_1 - rest[kKappa1], d2 = k.kappa_2 - rest[kKappa2], d3 = m - rest[kTwist];
+  const T d1 = k.kappa_1 - rest[kKappa1], d2 = k.kappa_2 - rest[kKappa2], d3 = m - rest[kRestTwist];
   return (rest[kBend1] * d1 * d1 + rest[kBend2] * d2 * d2 + rest[kTwistStiffness] * d3 * d3) /
          (rest[kPairLength] * T(2));
 }

@@ -8,13 +8,20 @@
 
 namespace lissom {
 
-Result<Supports> Supports::make(const Model& model, const System& system, const Pose& pose, const std::string& where) {
+Result<Supports> Supports::make(const Model& model, const System& system, const Pose& pose, const std::string& where,
+                                NullMotions null_motions) {
   SupportsBuilder builder(model, system, pose, where);
-  return builder.build();
+  return builder.build(null_motions);
 }
 
 VecX Supports::prescribed_increment(const System& system, const State& state, double load_factor) const {
-  VecX dq = VecX::Zero(system.layout.size());
+  VecX dq;
+  prescribed_increment(system, state, load_factor, dq);
+  return dq;
+}
+
+void Supports::prescribed_increment(const System& system, const State& state, double load_factor, VecX& dq) const {
+  dq.setZero(system.layout.size());
   const auto masked = [&](int first, const Vec3& wanted) {
     // Only along the held axes.
     Vec3 step = wanted;
@@ -65,7 +72,6 @@ VecX Supports::prescribed_increment(const System& system, const State& state, do
     const double expected = state.q[at] + (load_factor - state.load_factor) * held.turn.dot(t);
     dq[at] = expected + wrap_angle(angle - expected) - state.q[at];
   }
-  return dq;
 }
 
 void Supports::restrict(const VecX& local, VecX& free) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lissom/core/result.h"
+#include "lissom/mechanics/null_motions.h"
 #include "lissom/mechanics/potential.h"
 #include "lissom/mechanics/state.h"
 #include "lissom/model/model.h"
@@ -16,7 +17,8 @@ namespace lissom {
 class Supports {
  public:
   /// `where` is the JSON pointer of the pose, for errors.
-  static Result<Supports> make(const Model& model, const System& system, const Pose& pose, const std::string& where);
+  static Result<Supports> make(const Model& model, const System& system, const Pose& pose, const std::string& where,
+                               NullMotions null_motions = NullMotions::kRemove);
 
   /// Per unknown of the layout (in local axes): its number among the free ones, or -1.
   std::span<const int> kept() const { return kept_; }
@@ -28,6 +30,8 @@ class Supports {
   /// Increment (global axes) that brings every prescribed unknown of `state` to its place at `load_factor`; free
   /// unknowns are 0.
   VecX prescribed_increment(const System& system, const State& state, double load_factor) const;
+  /// The same into an existing vector.
+  void prescribed_increment(const System& system, const State& state, double load_factor, VecX& dq) const;
 
   /// Free entries of a vector in local axes, and the other way round (held entries 0).
   void restrict(const VecX& local, VecX& free) const;

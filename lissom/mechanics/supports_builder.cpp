@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lissom/mechanics/null_motions.h"
-
 namespace lissom {
 
 SupportsBuilder::SupportsBuilder(const Model& model, const System& system, const Pose& pose, std::string where)
@@ -12,7 +10,7 @@ SupportsBuilder::SupportsBuilder(const Model& model, const System& system, const
   supports_.held_.assign(system.layout.size(), false);
 }
 
-Result<Supports> SupportsBuilder::build() {
+Result<Supports> SupportsBuilder::build(NullMotions null_motions) {
   if (pose_.frozen) {
     supports_.held_.assign(system_.layout.size(), true);
   }
@@ -25,8 +23,8 @@ Result<Supports> SupportsBuilder::build() {
   }
   std::vector<bool> removed = supports_.held_;
   if (!pose_.frozen) {
-    const Status status = remove_null_motions(model_, system_, pose_, where_, supports_.local_axes_, removed,
-                                              supports_.removed_);
+    const Status status = remove_null_motions(model_, system_, pose_, where_, supports_.local_axes_,
+                                              null_motions, removed, supports_.removed_);
     if (!status) return status.error();
   }
   supports_.kept_.assign(removed.size(), -1);

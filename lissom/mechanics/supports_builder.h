@@ -11,7 +11,7 @@ namespace lissom {
 class SupportsBuilder {
  public:
   SupportsBuilder(const Model& model, const System& system, const Pose& pose, std::string where);
-  Result<Supports> build();
+  Result<Supports> build(NullMotions null_motions);
 
  private:
   Status apply(const Support& support, const std::vector<int>& nodes, const std::string& where);

@@ -18,14 +18,9 @@ Result<System> make_system(const Model& model, double refine) {
   for (int j = 0; j < system.joint_count(); ++j) {
     system.first_connection.push_back(k);
     for (const JointConnection& c : system.structure.joints[j].connections) {
-      const PairRest& rest_pair = system.rest.connections[k++];
-      const double edge_length = 2 * rest_pair.length;
-      const double bend = rest_pair.bend_1 + rest_pair.bend_2;
-      // Energy-consistent weights by default; the printed ones on request (erratum E10).
-      const bool thesis = model.joint_weights == JointWeights::kThesis;
-      const double weight_t = thesis ? bend : bend / (2 * edge_length);
-      const double weight_n = thesis ? rest_pair.twist_stiffness : rest_pair.twist_stiffness / edge_length;
-      system.connections.push_back({j, c.edge, c.direction, c.rest, weight_t, weight_n});
+      const std::array<double, kPairRestCount> rest_numbers = rest_values(system.rest.connections[k++]);
+      system.connections.push_back(
+          {j, c.edge, c.direction, c.rest, connection_weights<double>(rest_numbers.data(), model.joint_weights)});
     }
   }
   system.first_connection.push_back(k);

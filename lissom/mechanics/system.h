@@ -5,6 +5,7 @@
 
 #include "lissom/core/result.h"
 #include "lissom/mechanics/dof_layout.h"
+#include "lissom/mechanics/joint_corotational_kernel.h"
 #include "lissom/mechanics/rest_state.h"
 #include "lissom/model/structure.h"
 
@@ -16,8 +17,7 @@ struct Connection {
   int edge = -1;
   int direction = 1;        ///< +1: the edge leaves the joint, -1: it arrives
   Frame rest;               ///< frame of the connection edge when the joint rotation is the identity
-  double weight_t = 0;      ///< of the tangent in shape matching, N m (corotational joints; erratum E10)
-  double weight_n = 0;      ///< of the normal, N m
+  ConnectionWeights<double> weight{};  ///< in shape matching, N m (corotational joints)
 };
 
 struct System {

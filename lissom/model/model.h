@@ -72,7 +72,8 @@ enum class JointKind {
   kBall,          ///< shared point only: no moment passes
 };
 
-enum class JointWeights { kEnergy, kThesis };  ///< of the corotational joint, erratum E10
+/// Of the corotational joint: consistent with its springs, or as printed in the thesis (erratum E10).
+enum class JointWeights { kEnergy, kThesis };
 
 struct JointChoice {
   Selector at;

@@ -67,7 +67,8 @@ class ModelBits {
   void add(const LoadPath& x) { add_all(x.from, x.to, x.steps, x.follow, x.stop_at_critical, x.switch_branch); }
   void add(const Seed& x) { add_all(x.direction, x.amplitude); }
   void add(const Pose& x) {
-    add_all(x.name, x.supports, x.soft_pins, x.forces, x.moments, x.line_loads, x.gravity, x.path, x.seed, x.frozen);
+    add_all(x.name, x.supports, x.soft_pins, x.forces, x.moments, x.line_loads, x.gravity, x.path, x.seed,
+            x.rigid_motion, x.frozen);
   }
   void add(const MotionCase::Kick& x) { add_all(x.at, x.velocity); }
   void add(const MotionCase& x) {
@@ -75,8 +76,8 @@ class ModelBits {
             x.rho_infinity, x.mass_damping, x.stiffness_damping, x.roll_inertia, x.load_factor, x.kicks);
   }
   void add(const Expectation& x) {
-    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.fraction, x.mode, x.mode_kind, x.edges, x.scale,
-            x.offset, x.value, x.unit, x.tolerance_relative, x.tolerance_absolute, x.source);
+    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.fraction, x.mode, x.mode_kind, x.combine,
+            x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative, x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
     add_all(x.title, x.source, x.materials, x.rods, x.joint_kind, x.joint_weights, x.joints, x.merge_distance,
