@@ -1,12 +1,13 @@
 // lissom convert INPUT OUTPUT
 
+#include "lissom/session/command_convert.h"
+
 #include <map>
 
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
 #include "lissom/model/units.h"
-#include "lissom/session/command_convert.h"
 
 namespace lissom::cli {
 
@@ -23,7 +24,8 @@ Result<double> length_of(const std::string& text, const char* option) {
   if (quantity && quantity.value().unit.dimension == dimension(Measure::kLength) && quantity.value().value > 0) {
     return quantity.value().value;
   }
-  return Error{ErrorCode::kUnit, option, "\"" + text + "\" is not a length", "write a number with its unit, such as \"5 mm\""};
+  return Error{ErrorCode::kUnit, option, "\"" + text + "\" is not a length",
+               "write a number with its unit, such as \"5 mm\""};
 }
 
 Result<NetworkOptions> network_options(const Arguments& arguments) {
@@ -68,14 +70,18 @@ int convert(const Arguments& arguments) {
 void add_convert(CLI::App& app, Runner& chosen) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("convert", "Turn documents, line networks and results into other files");
-  command->add_option("input", arguments->input, "A document, scene:NAME, a result, or a line network (.obj with l elements)")
+  command
+      ->add_option("input", arguments->input,
+                   "A document, scene:NAME, a result, or a line network (.obj with l elements)")
       ->required();
   command->add_option("output", arguments->output, "File to write: .lissom, .obj, .vtu, .vtp or .ply")->required();
   command->add_option("--unit", arguments->unit, "Unit of the coordinates of a line network [mm]");
   command->add_option("--material", arguments->material, "Material of its rods [GFRP]");
   command->add_option("--radius", arguments->radius, "Radius of its rods, with unit [1 mm]");
   command->add_option("--edges", arguments->edges, "Edges per straight piece of it [4]")->check(CLI::Range(1, 10000));
-  command->add_option("--rods", arguments->rods, "chains: lines that go on smoothly are one rod; segments: each piece is one [chains]")
+  command
+      ->add_option("--rods", arguments->rods,
+                   "chains: lines that go on smoothly are one rod; segments: each piece is one [chains]")
       ->check(CLI::IsMember({"chains", "segments"}));
   command->add_option("--obj", arguments->obj, "What an .obj file gets: lines or surfaces [lines]")
       ->check(CLI::IsMember({"lines", "surfaces"}));

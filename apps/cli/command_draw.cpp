@@ -1,12 +1,13 @@
 // lissom draw FILE
 
+#include "lissom/session/command_draw.h"
+
 #include <fmt/format.h>
 #include <map>
 
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
-#include "lissom/session/command_draw.h"
 #include "lissom/session/fields.h"
 
 namespace lissom::cli {
@@ -33,7 +34,8 @@ Status read_size(const std::string& text, PictureOptions& picture) {
     picture.height = height;
     return {};
   }
-  return Error{ErrorCode::kSyntax, "--size", "\"" + text + "\" is not a size", "write width x height in pixels, such as 1600x1200"};
+  return Error{ErrorCode::kSyntax, "--size", "\"" + text + "\" is not a size",
+               "write width x height in pixels, such as 1600x1200"};
 }
 
 int draw_file(const Arguments& arguments) {
@@ -44,10 +46,14 @@ int draw_file(const Arguments& arguments) {
   }
   const Result<Drawable> drawable = read_drawable(arguments.file, arguments.pose);
   if (!drawable) return report(drawable.error(), arguments.file);
-  static const std::map<std::string, Viewpoint> cameras{
-      {"iso", Viewpoint::iso()}, {"top", Viewpoint::top()}, {"front", Viewpoint::front()}, {"right", Viewpoint::right()}};
+  static const std::map<std::string, Viewpoint> cameras{{"iso", Viewpoint::iso()},
+                                                        {"top", Viewpoint::top()},
+                                                        {"front", Viewpoint::front()},
+                                                        {"right", Viewpoint::right()}};
   DrawCommand command;
-  command.shown = arguments.shown == "rest" ? Shown::kRest : arguments.shown == "deformed" ? Shown::kDeformed : Shown::kBoth;
+  command.shown = arguments.shown == "rest"       ? Shown::kRest
+                  : arguments.shown == "deformed" ? Shown::kDeformed
+                                                  : Shown::kBoth;
   command.picture.view = cameras.at(arguments.camera);
   command.picture.field = arguments.field;
   command.picture.title = arguments.title;
@@ -82,7 +88,9 @@ void add_draw(CLI::App& app, Runner& chosen) {
   command->add_option("--size", arguments->size, "Width x height in pixels [1600x1200]");
   command->add_option("--theme", arguments->theme, "light or dark [light]")->check(CLI::IsMember({"light", "dark"}));
   command->add_option("--title", arguments->title, "Title [that of the document]");
-  command->footer("Needs no display.\n\nExample:\n  lissom draw out/bridge-loaded.json --field stress --camera front -o bridge.png");
+  command->footer(
+      "Needs no display.\n\nExample:\n  lissom draw out/bridge-loaded.json --field stress --camera front -o "
+      "bridge.png");
   command->callback([arguments, &chosen] { chosen = [arguments] { return draw_file(*arguments); }; });
 }
 

@@ -43,7 +43,9 @@ void add_scenes(CLI::App& app, Runner& chosen) {
   CLI::App* command = app.add_subcommand("scenes", "List the example structures, or write one as a document");
   command->add_option("name", arguments->name, "Scene to write [list them all]");
   command->add_option("-o,--output", arguments->output, "Document to write [standard output]");
-  command->footer("Every command takes scene:NAME in place of a document.\n\nExample:\n  lissom scenes hexagon_sheet -o sheet.lissom");
+  command->footer(
+      "Every command takes scene:NAME in place of a document.\n\nExample:\n  lissom scenes hexagon_sheet -o "
+      "sheet.lissom");
   command->callback([arguments, &chosen] { chosen = [arguments] { return show_scenes(*arguments); }; });
 }
 

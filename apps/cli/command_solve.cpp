@@ -1,5 +1,7 @@
 // lissom solve FILE
 
+#include "lissom/session/command_solve.h"
+
 #include <fmt/format.h>
 #include <numbers>
 
@@ -8,7 +10,6 @@
 #include "apps/cli/input.h"
 #include "apps/cli/solver_arguments.h"
 #include "apps/cli/terminal.h"
-#include "lissom/session/command_solve.h"
 
 namespace lissom::cli {
 
@@ -44,7 +45,8 @@ void print_pose(const SolvedPose& pose) {
   const Equilibrium& e = pose.equilibrium;
   print(fmt::format("{}: {}\n", pose.pose, e.message));
   line("unbalanced force", fmt::format("{:.3g} N, wanted {:.3g} N", e.residual, e.tolerance));
-  line("work", fmt::format("{} iterations, {} factorizations, {} unknowns", e.iterations, e.factorizations, pose.unknowns));
+  line("work",
+       fmt::format("{} iterations, {} factorizations, {} unknowns", e.iterations, e.factorizations, pose.unknowns));
   if (e.verdict != Verdict::kBadStart) {
     line("largest move", fmt::format("{:.5g} mm", 1e3 * pose.largest_displacement));
     line("largest stress", fmt::format("{:.4g} MPa", 1e-6 * pose.largest_stress));
@@ -65,7 +67,8 @@ int solve_file(Arguments& arguments) {
   }
   const Result<Document> document = read_input(arguments.file);
   if (!document) return report(document.error(), arguments.file);
-  command.folder = arguments.folder.empty() ? document.value().default_output() : std::filesystem::path(arguments.folder);
+  command.folder =
+      arguments.folder.empty() ? document.value().default_output() : std::filesystem::path(arguments.folder);
   command.vtu = arguments.vtu ? ParaView::kYes : ParaView::kNo;
   if (!arguments.picture.empty()) command.picture = format_named(arguments.picture);
   Run run(arguments.run);
@@ -89,19 +92,24 @@ void add_solve(CLI::App& app, Runner& chosen) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("solve", "Find the shape in which a structure comes to rest");
   command->add_option("file", arguments->file, kInputHelp)->required();
-  command->add_option("--pose", arguments->command.poses, "Pose to solve; may be repeated [all]")->allow_extra_args(false);
+  command->add_option("--pose", arguments->command.poses, "Pose to solve; may be repeated [all]")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->folder, "Folder for results [out, next to the document]");
   command->add_flag("--json", arguments->json, "Print one JSON object (SI units) and nothing else");
   command->add_option("--load-factor", arguments->command.load_factor, "Multiplies loads and prescribed motions [1]");
   command->add_option("--resume", arguments->resume, "Go on from the shape in this result file");
   command->add_flag("--vtu", arguments->vtu, "Also write a .vtu file for ParaView");
-  command->add_option("--picture", arguments->picture, "Also draw the shape, as svg or png")->check(CLI::IsMember({"svg", "png"}));
-  command->add_option("--field", arguments->command.field, "Field that colours the picture, such as curvature [stress]");
+  command->add_option("--picture", arguments->picture, "Also draw the shape, as svg or png")
+      ->check(CLI::IsMember({"svg", "png"}));
+  command->add_option("--field", arguments->command.field,
+                      "Field that colours the picture, such as curvature [stress]");
   add_solver_options(*command, arguments->command.options);
   add_run_options(*command, arguments->run);
-  command->footer(std::string("Writes one result file per pose, DOCUMENT-POSE.json. Ctrl-C once stops and keeps the best shape so far;\n"
-                              "--resume goes on from there.\n\nExample:\n  lissom solve bridge.lissom --pose loaded --picture svg\n\n") +
-                  exit_codes_text());
+  command->footer(
+      std::string(
+          "Writes one result file per pose, DOCUMENT-POSE.json. Ctrl-C once stops and keeps the best shape so far;\n"
+          "--resume goes on from there.\n\nExample:\n  lissom solve bridge.lissom --pose loaded --picture svg\n\n") +
+      exit_codes_text());
   command->callback([arguments, &chosen] { chosen = [arguments] { return solve_file(*arguments); }; });
 }
 

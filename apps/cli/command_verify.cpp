@@ -65,7 +65,8 @@ void add_verify(CLI::App& app, Runner& chosen) {
   command->add_flag("--quantities", arguments->quantities, "List what can be expected, with units");
   add_run_options(*command, arguments->run);
   command->footer(
-      "Prints one line per number, PASS or FAIL, then `N passed, N failed`. The exit code is 0 when all pass. What the\n"
+      "Prints one line per number, PASS or FAIL, then `N passed, N failed`. The exit code is 0 when all pass. What "
+      "the\n"
       "quantities mean is in docs/guide/quantities.md.\n\nExample:\n  lissom verify bridge.lissom");
   command->callback([arguments, &chosen] { chosen = [arguments] { return verify_files(*arguments); }; });
 }

@@ -18,10 +18,12 @@ void add_solver_options(CLI::App& command, SolveOptions& options) {
                                          {"rotating", StepPath::kRotating},
                                          {"second_order_rotating", StepPath::kSecondOrderRotating}},
          "Path of a trial step [second_order_rotating]");
-  choice("--shift", options.shift,
-         std::map<std::string, ShiftRule>{{"remembered", ShiftRule::kRemembered}, {"eigenvalue", ShiftRule::kEigenvalue}},
-         "Where the shift of an indefinite matrix comes from [eigenvalue]");
-  choice("--expansion", options.expansion, std::map<std::string, Expansion>{{"off", Expansion::kOff}, {"on", Expansion::kOn}},
+  choice(
+      "--shift", options.shift,
+      std::map<std::string, ShiftRule>{{"remembered", ShiftRule::kRemembered}, {"eigenvalue", ShiftRule::kEigenvalue}},
+      "Where the shift of an indefinite matrix comes from [eigenvalue]");
+  choice("--expansion", options.expansion,
+         std::map<std::string, Expansion>{{"off", Expansion::kOff}, {"on", Expansion::kOn}},
          "Try longer steps while a shift is active [on]");
   choice("--frames", options.frames,
          std::map<std::string, FrameRelaxation>{{"off", FrameRelaxation::kOff}, {"on", FrameRelaxation::kOn}},
@@ -29,7 +31,8 @@ void add_solver_options(CLI::App& command, SolveOptions& options) {
   choice("--at-saddle", options.at_saddle,
          std::map<std::string, AtSaddle>{{"escape", AtSaddle::kEscape}, {"stay", AtSaddle::kStay}},
          "Leave an unstable equilibrium, or stay there and report it [escape]");
-  command.add_option("--tolerance", options.tolerance, "Largest unbalanced force, relative to the loads [1e-6]")->group("Solver");
+  command.add_option("--tolerance", options.tolerance, "Largest unbalanced force, relative to the loads [1e-6]")
+      ->group("Solver");
   command.add_option("--max-iterations", options.max_iterations, "Limit of iterations [500]")->group("Solver");
   command.add_option("--modes", options.modes, "How many of the lowest modes to report [3]")->group("Solver");
 }

@@ -39,13 +39,16 @@ bool standard_error_is_terminal() {
 }  // namespace
 
 const char* exit_codes_text() {
-  return "Exit codes: 0 stable, or all passed; 1 a check failed; 2 wrong arguments; 3 something is wrong in a document;\n"
-         "4 a file cannot be read or written; 10 critical; 11 unstable; 12 out of iterations; 13 stalled; 14 runs away;\n"
+  return "Exit codes: 0 stable, or all passed; 1 a check failed; 2 wrong arguments; 3 something is wrong in a "
+         "document;\n"
+         "4 a file cannot be read or written; 10 critical; 11 unstable; 12 out of iterations; 13 stalled; 14 runs "
+         "away;\n"
          "15 stopped by you; 16 the start shape has no finite energy. Of several poses: the first code that is not 0.";
 }
 
 void add_run_options(CLI::App& command, RunOptions& options) {
-  command.add_option("--threads", options.threads, "Threads to compute with; results do not depend on it [one per core]")
+  command
+      .add_option("--threads", options.threads, "Threads to compute with; results do not depend on it [one per core]")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--progress", options.progress, "Show progress on standard error even when that is no terminal");
 }

@@ -174,10 +174,6 @@ Result<ImportedNetwork> import_network(const ObjLines& lines, const NetworkOptio
     rod.axes = options.axes;
     out.model.rods.push_back(std::move(rod));
   }
-  NamedSet boundary;
-  boundary.name = "boundary";
-  boundary.nodes.kind = Selector::Kind::kBoundary;
-  out.model.sets.push_back(std::move(boundary));
   return out;
 }
 

@@ -25,7 +25,7 @@ struct NetworkOptions {
 };
 
 struct ImportedNetwork {
-  Model model;                     ///< rods r1, r2, ... in the order of the file, set "boundary"
+  Model model;                     ///< rods r1, r2, ... in the order of the file
   Vec3 extent = Vec3::Zero();      ///< m, sides of the bounding box: check it, a wrong unit shows here
   std::vector<std::string> notes;  ///< what was left out of the drawing
 };

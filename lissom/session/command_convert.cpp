@@ -48,7 +48,8 @@ Result<Document> import_document(const std::filesystem::path& path, const Networ
   if (!network) return network.error();
   const Vec3 size = 1000 * network.value().extent;
   notes = network.value().notes;
-  notes.push_back(fmt::format("{} rods, {:.4g} x {:.4g} x {:.4g} mm", network.value().model.rods.size(), size.x(), size.y(), size.z()));
+  notes.push_back(fmt::format("{} rods, {:.4g} x {:.4g} x {:.4g} mm", network.value().model.rods.size(), size.x(),
+                              size.y(), size.z()));
   Document document{path.stem().string(), path.parent_path(), std::move(network.value().model)};
   if (document.model.title.empty()) document.model.title = document.name;
   if (const Status s = document.model.validate(); !s) return s.error();
@@ -66,8 +67,8 @@ Status convert_command(const Drawable& drawable, const ConvertCommand& command) 
   }
   std::string known;
   for (const Writer& writer : kWriters) known += (known.empty() ? "" : ", ") + std::string(writer.ending);
-  return Error{ErrorCode::kUnsupported, command.file.string(), fmt::format("files ending in \"{}\" cannot be written", ending),
-               "known: " + known};
+  return Error{ErrorCode::kUnsupported, command.file.string(),
+               fmt::format("files ending in \"{}\" cannot be written", ending), "known: " + known};
 }
 
 }  // namespace lissom

@@ -8,7 +8,8 @@ namespace lissom {
 Status draw_command(const Drawable& drawable, const DrawCommand& command) {
   const std::string ending = command.file.extension().string();
   if (ending != ".svg" && ending != ".png") {
-    return Error{ErrorCode::kUnsupported, command.file.string(), "pictures are .svg or .png files", "name the file like that"};
+    return Error{ErrorCode::kUnsupported, command.file.string(), "pictures are .svg or .png files",
+                 "name the file like that"};
   }
   const Shown shown = drawable.solved ? command.shown : Shown::kRest;
   Result<Drawing> solid = draw(drawable, shown == Shown::kRest ? Shape::kRest : Shape::kDeformed);

@@ -11,9 +11,9 @@ namespace lissom {
 enum class Shown { kRest, kDeformed, kBoth };
 
 struct DrawCommand {
-  Shown shown = Shown::kBoth;      ///< of a description there is only the rest shape
-  PictureOptions picture;          ///< title: empty takes that of the document; field: empty for plain rods
-  std::filesystem::path file;      ///< .svg or .png
+  Shown shown = Shown::kBoth;  ///< of a description there is only the rest shape
+  PictureOptions picture;      ///< title: empty takes that of the document; field: empty for plain rods
+  std::filesystem::path file;  ///< .svg or .png
 };
 
 /// Draws and writes.

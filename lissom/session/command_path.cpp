@@ -14,9 +14,12 @@ namespace lissom {
 namespace {
 
 constexpr PathEndInfo kEnds[] = {
-    {PathEnd::kReached, "reached", 0},           {PathEnd::kStoppedAtCritical, "stopped_at_critical", 0},
-    {PathEnd::kStepTooSmall, "step_too_small", 13}, {PathEnd::kIterationLimit, "iteration_limit", 12},
-    {PathEnd::kCancelled, "cancelled", 15},      {PathEnd::kBadStart, "bad_start", 16},
+    {PathEnd::kReached, "reached", 0},
+    {PathEnd::kStoppedAtCritical, "stopped_at_critical", 0},
+    {PathEnd::kStepTooSmall, "step_too_small", 13},
+    {PathEnd::kIterationLimit, "iteration_limit", 12},
+    {PathEnd::kCancelled, "cancelled", 15},
+    {PathEnd::kBadStart, "bad_start", 16},
 };
 
 LoadPath load_path(const Pose& pose, const PathCommand& command) {
@@ -32,10 +35,12 @@ LoadPath load_path(const Pose& pose, const PathCommand& command) {
 
 Status check_path(const LoadPath& path) {
   if (path.from == path.to) {
-    return Error{ErrorCode::kRange, "--to", "the path begins and ends at the same load factor", "choose another --from or --to"};
+    return Error{ErrorCode::kRange, "--to", "the path begins and ends at the same load factor",
+                 "choose another --from or --to"};
   }
   if (path.stop_at_critical && path.switch_branch) {
-    return Error{ErrorCode::kConflict, "--switch-branch", "a path cannot stop at the first critical point and go on from it",
+    return Error{ErrorCode::kConflict, "--switch-branch",
+                 "a path cannot stop at the first critical point and go on from it",
                  "leave out one of --stop-at-critical and --switch-branch"};
   }
   return {};
@@ -57,7 +62,8 @@ int most_moved(const System& system, const PathResult& path) {
   return node;
 }
 
-double displacement(const System& system, const State& state, const std::vector<int>& nodes, const std::optional<Vec3>& axis) {
+double displacement(const System& system, const State& state, const std::vector<int>& nodes,
+                    const std::optional<Vec3>& axis) {
   Vec3 sum = Vec3::Zero();
   for (const int node : nodes) sum += state.position(node) - system.structure.nodes[node];
   sum /= static_cast<double>(nodes.size());
@@ -103,13 +109,18 @@ Status write_files(const Document& document, const Pose& pose, const System& sys
   if (const Status s = output.write(stem + "-path.csv", csv_text(followed.table)); !s) return s;
   const std::string title = (document.model.title.empty() ? document.name : document.model.title) + ", " + pose.name;
   const std::string ending = command.picture == ImageFormat::kSvg ? ".svg" : ".png";
-  if (const Status s = output.write(stem + "-path" + ending, draw_chart(path_chart(title, followed), command.picture)); !s) return s;
+  if (const Status s = output.write(stem + "-path" + ending, draw_chart(path_chart(title, followed), command.picture));
+      !s)
+    return s;
   if (command.vtu == ParaView::kNo) return {};
   std::vector<double> times;
   for (const PathPoint& point : path.points) times.push_back(point.state.load_factor);
-  return write_series(stem + "-path", times, [&](int i) {
-    return draw_state({document.model, system, path.points[i].state, &path.points[i].reaction}, nullptr);
-  }, output);
+  return write_series(
+      stem + "-path", times,
+      [&](int i) {
+        return draw_state({document.model, system, path.points[i].state, &path.points[i].reaction}, nullptr);
+      },
+      output);
 }
 
 }  // namespace
@@ -152,13 +163,16 @@ Result<std::vector<FollowedPose>> path_command(const Document& document, const P
     if (!problem) return problem.error();
     FollowedPose followed;
     followed.pose = pose.name;
-    followed.path = follow_path(problem.value(), start_state(problem.value(), pose), path, {.solve = command.options}, context);
+    followed.path =
+        follow_path(problem.value(), start_state(problem.value(), pose), path, {.solve = command.options}, context);
     const std::vector<int> nodes = watched.empty() ? std::vector<int>{most_moved(system, followed.path)} : watched;
     followed.watched = watched.empty() ? fmt::format("node {}", nodes.front()) : command.watch;
-    followed.table.columns = {"load_factor", "displacement_m", "energy_J", "lowest_stiffness_N_per_m", "negative_modes", "residual_N"};
+    followed.table.columns = {"load_factor",    "displacement_m", "energy_J", "lowest_stiffness_N_per_m",
+                              "negative_modes", "residual_N"};
     for (const PathPoint& point : followed.path.points) {
-      followed.table.rows.push_back({point.state.load_factor, displacement(system, point.state, nodes, command.axis), point.energy,
-                                     point.lowest, static_cast<double>(point.negative_modes), point.residual});
+      followed.table.rows.push_back({point.state.load_factor, displacement(system, point.state, nodes, command.axis),
+                                     point.energy, point.lowest, static_cast<double>(point.negative_modes),
+                                     point.residual});
     }
     const size_t before = output.written().size();
     if (const Status s = write_files(document, pose, system, stems[p], command, followed, output); !s) return s.error();

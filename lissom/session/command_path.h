@@ -15,14 +15,14 @@
 namespace lissom {
 
 struct PathCommand {
-  std::vector<std::string> poses;      ///< names; empty: all
+  std::vector<std::string> poses;  ///< names; empty: all
   SolveOptions options;
-  std::optional<double> from, to;      ///< these four replace what the pose says
+  std::optional<double> from, to;  ///< these four replace what the pose says
   std::optional<int> steps;
   std::optional<LoadPath::Follow> follow;
   bool stop_at_critical = false, switch_branch = false;  ///< in addition to what the pose says
-  std::string watch;                   ///< place whose displacement is plotted; empty: the node that moves most
-  std::optional<Vec3> axis;            ///< along which; absent: its size
+  std::string watch;         ///< place whose displacement is plotted; empty: the node that moves most
+  std::optional<Vec3> axis;  ///< along which; absent: its size
   std::filesystem::path folder;
   ParaView vtu = ParaView::kNo;
   ImageFormat picture = ImageFormat::kSvg;
@@ -30,17 +30,17 @@ struct PathCommand {
 
 struct FollowedPose {
   std::string pose;
-  std::string watched;                 ///< what the displacement is that of
+  std::string watched;  ///< what the displacement is that of
   PathResult path;
-  Table table;                         ///< load factor, displacement (m), energy (J), lowest stiffness (N/m), ...
+  Table table;  ///< load factor, displacement (m), energy (J), lowest stiffness (N/m), ...
   std::vector<std::filesystem::path> files;
-  std::string summary;                 ///< JSON, one line
+  std::string summary;  ///< JSON, one line
 };
 
 struct PathEndInfo {
   PathEnd end;
   std::string_view name;
-  int exit_code;                       ///< that of the verdict which means the same
+  int exit_code;  ///< that of the verdict which means the same
 };
 const PathEndInfo& path_end_info(PathEnd end);
 std::string_view critical_kind_name(CriticalKind kind);

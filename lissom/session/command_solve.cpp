@@ -17,7 +17,8 @@ namespace {
 Status write_pose(const Document& document, const Pose& pose, const System& system, const std::string& stem,
                   const SolveCommand& command, SolvedPose& solved, Output& output) {
   const Equilibrium& e = solved.equilibrium;
-  if (const Status s = output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e)); !s) return s;
+  if (const Status s = output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e)); !s)
+    return s;
   if (e.verdict == Verdict::kBadStart) return {};
   const FieldSource source{document.model, system, e.state, &e.reaction};
   Result<Drawing> drawing = draw_state(source, &pose);
@@ -63,7 +64,8 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
   std::vector<SolvedPose> results;
   for (const int p : poses.value()) {
     const Pose& pose = document.model.poses[p];
-    const Result<StaticProblem> problem = make_static_problem(document.model, system, pose, "/poses/" + std::to_string(p));
+    const Result<StaticProblem> problem =
+        make_static_problem(document.model, system, pose, "/poses/" + std::to_string(p));
     if (!problem) return problem.error();
     SolvedPose solved;
     solved.pose = pose.name;

@@ -16,7 +16,8 @@ Result<Drawable> make_drawable(SavedResult saved) {
   Result<System> system = make_system(saved.document.model);
   if (!system) return system.error();
   if (const Status s = check_state(system.value(), saved.state); !s) return s.error();
-  return Drawable{std::move(saved.document), std::move(system).value(), std::move(saved.state), pose.value().front(), true};
+  return Drawable{std::move(saved.document), std::move(system).value(), std::move(saved.state), pose.value().front(),
+                  true};
 }
 
 Result<Drawable> make_drawable(Document document, const std::string& pose) {

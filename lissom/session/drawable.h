@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lissom/session/results_json.h"
+#include "lissom/session/result_file.h"
 #include "lissom/view/rod_drawing.h"
 
 namespace lissom {
@@ -14,9 +14,9 @@ enum class Shape { kRest, kDeformed };
 struct Drawable {
   Document document;
   System system;
-  State state;         ///< of a result; else the drawn shape
-  int pose = -1;       ///< whose supports and forces are shown; -1: none
-  bool solved = false; ///< comes from a result
+  State state;          ///< of a result; else the drawn shape
+  int pose = -1;        ///< whose supports and forces are shown; -1: none
+  bool solved = false;  ///< comes from a result
 };
 
 /// Whether the text is a result file rather than a document.

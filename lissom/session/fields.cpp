@@ -75,7 +75,8 @@ std::vector<double> curvature(const FieldSource& s) {
 }
 
 std::vector<double> twist_rate(const FieldSource& s) {
-  return mean_of_ends(s, [](const RodPlace& place, const PairStrain& strain) { return strain.twist / place.rest.length; });
+  return mean_of_ends(s,
+                      [](const RodPlace& place, const PairStrain& strain) { return strain.twist / place.rest.length; });
 }
 
 std::vector<double> stretch_density(const FieldSource& s) {
@@ -132,8 +133,10 @@ constexpr FieldInfo kFields[] = {
     {"axial force", "N", "N", 1, kEdge, kSigned, "force along each edge, positive in tension", axial_force},
     {"curvature", "1/m", "1/m", 1, kEdge, kPlain, "curvature, natural part included, mean of both ends", curvature},
     {"twist rate", "rad/m", "rad/m", 1, kEdge, kSigned, "twist per length, mean of both ends", twist_rate},
-    {"stretch energy", "J/m", "mJ/m", 1000, kEdge, kPlain, "elastic energy of stretching per rest length", stretch_density},
-    {"bending energy", "J/m", "mJ/m", 1000, kEdge, kPlain, "elastic energy of bending per rest length", bending_density},
+    {"stretch energy", "J/m", "mJ/m", 1000, kEdge, kPlain, "elastic energy of stretching per rest length",
+     stretch_density},
+    {"bending energy", "J/m", "mJ/m", 1000, kEdge, kPlain, "elastic energy of bending per rest length",
+     bending_density},
     {"twist energy", "J/m", "mJ/m", 1000, kEdge, kPlain, "elastic energy of twisting per rest length", twist_density},
     {"stress", "Pa", "MPa", 1e-6, kEdge, kPlain, "largest normal stress at the surface from bending and stretching",
      surface_stress},

@@ -18,7 +18,8 @@ Result<std::vector<int>> pose_indices(const Model& model, const Expectation& e, 
   for (const std::string& wanted : e.poses) {
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found == names.end()) {
-      return Error{ErrorCode::kUnknown, where + "/poses", "there is no pose \"" + wanted + "\"", suggestion(wanted, names)};
+      return Error{ErrorCode::kUnknown, where + "/poses", "there is no pose \"" + wanted + "\"",
+                   suggestion(wanted, names)};
     }
     indices.push_back(static_cast<int>(found - names.begin()));
   }
@@ -48,7 +49,8 @@ Result<std::vector<double>> refinements(const Model& model, const Expectation& e
     if (!got) return got.error();
     if (got.value() != edges) {
       return Error{ErrorCode::kRange, where + "/edges",
-                   "the rod needs at least " + std::to_string(got.value()) + " edges, " + std::to_string(edges) + " are asked for",
+                   "the rod needs at least " + std::to_string(got.value()) + " edges, " + std::to_string(edges) +
+                       " are asked for",
                    "ask for more"};
     }
   }
@@ -56,7 +58,8 @@ Result<std::vector<double>> refinements(const Model& model, const Expectation& e
 }
 
 /// Slope of the least-squares line through (log N_i, log |q_i - q_(i+1)|), sign changed.
-Result<double> convergence_order(const std::vector<int>& edges, const std::vector<double>& q, const std::string& where) {
+Result<double> convergence_order(const std::vector<int>& edges, const std::vector<double>& q,
+                                 const std::string& where) {
   const double ratio = static_cast<double>(edges[1]) / edges[0];
   double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
   for (size_t i = 0; i + 1 < q.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lissom/session/json_lines.h"
+#include "lissom/session/layout_json.h"
 
 namespace lissom {
 
@@ -49,7 +49,8 @@ Json head(const FollowedPose& followed) {
 std::string path_text(const Document& document, const FollowedPose& followed) {
   Json json;
   json["lissom_path"] = 1;
-  json["document"] = {{"name", document.name}, {"title", document.model.title}, {"hash", document_hash(document.model)}};
+  json["document"] = {
+      {"name", document.name}, {"title", document.model.title}, {"hash", document_hash(document.model)}};
   json.update(head(followed));
   Json modes = Json::array();
   for (const CriticalPoint& point : followed.path.critical) {

@@ -30,7 +30,8 @@ std::vector<std::string> pose_file_names(const Document& document) {
   for (const Pose& pose : document.model.poses) {
     const std::string plain = file_name_part(document.name + "-" + pose.name);
     std::string name = plain;
-    for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i) name = plain + "-" + std::to_string(i);
+    for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
+      name = plain + "-" + std::to_string(i);
     names.push_back(name);
   }
   return names;

@@ -34,8 +34,7 @@ constexpr QuantityInfo kQuantities[] = {
     {"largest_slope", "rad", "largest angle between the tangents of a rod and an axis, or the drawn tangents",
      kRod | kAxis, kRod, rod_largest_slope},
     {"length", "m", "length of a rod, or of all rods", kRod, 0, rod_length},
-    {"rest_length", "m", "rest length of a rod, or of all rods", kRod, 0, rod_rest_length, nullptr,
-     PoseUse::kNone},
+    {"rest_length", "m", "rest length of a rod, or of all rods", kRod, 0, rod_rest_length, nullptr, PoseUse::kNone},
     {"mass", "kg", "mass of a rod, or of all rods", kRod, 0, rod_mass, nullptr, PoseUse::kNone},
 
     {"energy", "J", "elastic energy", kAt, 0, energy_total},
@@ -48,6 +47,7 @@ constexpr QuantityInfo kQuantities[] = {
     {"mode_stiffness", "N/m", "stiffness of a mode, 0 is the lowest", kMode, kMode, mode_stiffness},
     {"principal_stiffness", "N/m", "principal stiffness of a place that the poses move in different directions",
      kAt | kMode, kMode, principal_stiffness, nullptr, PoseUse::kTogether},
+    {"frequency", "Hz", "natural frequency, mode 0 is the lowest", kMode | kModeKind | kAxis, kMode, natural_frequency},
 };
 
 constexpr std::string_view kRateEnding = "_rate";
@@ -56,8 +56,13 @@ struct FieldName {
   QuantityField field;
   std::string_view name;
 };
-constexpr FieldName kFieldNames[] = {{kAt, "at"},     {kTo, "to"},     {kAxis, "axis"},          {kRod, "rod"},
-                                     {kFraction, "fraction"}, {kMode, "mode"}, {kModeKind, "mode_kind"}};
+constexpr FieldName kFieldNames[] = {{kAt, "at"},
+                                     {kTo, "to"},
+                                     {kAxis, "axis"},
+                                     {kRod, "rod"},
+                                     {kFraction, "fraction"},
+                                     {kMode, "mode"},
+                                     {kModeKind, "mode_kind"}};
 
 /// Which fields an entry gives. `at` of all nodes is the same as none.
 unsigned given_fields(const Expectation& e) {
@@ -100,7 +105,8 @@ Status check_expectation(const Expectation& e) {
     const std::string quoted = "\"" + std::string(f.name) + "\"";
     const bool counts_edges = f.field == kRod && !e.rod.empty();
     if ((given & f.field) != 0 && (info.reads & f.field) == 0) {
-      return Error{ErrorCode::kConflict, std::string(f.name), "\"" + e.quantity + "\" does not read " + quoted, "leave it out"};
+      return Error{ErrorCode::kConflict, std::string(f.name), "\"" + e.quantity + "\" does not read " + quoted,
+                   "leave it out"};
     }
     if ((info.needs & f.field) != 0 && (given & f.field) == 0 && !counts_edges) {
       return Error{ErrorCode::kType, std::string(f.name), "\"" + e.quantity + "\" needs " + quoted, "add it"};

@@ -15,10 +15,10 @@ namespace lissom {
 struct Measurement {
   Study& study;
   const Expectation& expectation;
-  const Selector& at;        ///< the place: `at` of the expectation, or `to` when two places are compared
-  std::vector<int> poses;    ///< all poses of the entry; the one in question comes first
+  const Selector& at;      ///< the place: `at` of the expectation, or `to` when two places are compared
+  std::vector<int> poses;  ///< all poses of the entry; the one in question comes first
   double refine = 1;
-  std::string where;         ///< of the entry in the document: "/expect/3"
+  std::string where;  ///< of the entry in the document: "/expect/3"
 
   int pose() const { return poses.front(); }
 };
@@ -36,12 +36,12 @@ using Evaluator = Result<double> (*)(const Measurement&);
 
 struct QuantityInfo {
   std::string_view name;
-  std::string_view unit;        ///< SI, of the evaluated number
-  std::string_view description; ///< one line
-  unsigned reads = 0;           ///< sum of QuantityField
-  unsigned needs = 0;           ///< of which have to be given
+  std::string_view unit;         ///< SI, of the evaluated number
+  std::string_view description;  ///< one line
+  unsigned reads = 0;            ///< sum of QuantityField
+  unsigned needs = 0;            ///< of which have to be given
   Evaluator measure = nullptr;
-  Evaluator rate = nullptr;     ///< of `name` + "_rate"; null: there is none
+  Evaluator rate = nullptr;  ///< of `name` + "_rate"; null: there is none
   PoseUse poses = PoseUse::kEach;
 };
 

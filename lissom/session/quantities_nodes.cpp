@@ -192,7 +192,8 @@ Result<double> node_slope(const Measurement& m) {
     k = index;
   }
   if (rod == nullptr) {
-    return Error{ErrorCode::kUnknown, m.where + "/rod", "the rod does not pass node " + std::to_string(node.value()), ""};
+    return Error{ErrorCode::kUnknown, m.where + "/rod", "the rod does not pass node " + std::to_string(node.value()),
+                 ""};
   }
   const Vec3 now = tangent_at(*rod, k, found.value()->state);
   if (m.expectation.axis) return angle_between(now, *m.expectation.axis);
@@ -265,7 +266,8 @@ Result<double> reaction_moment_rate(const Measurement& m) {
   return component_or_norm(m, moment_sum(*r.system, r.reaction_rate, nodes, [&](int e) {
                              const StructureEdge& edge = r.system->structure.edges[e];
                              const EdgeState& now = r.state.edges[e];
-                             const Vec3 stretch = r.unknowns.segment<3>(3 * edge.node1) - r.unknowns.segment<3>(3 * edge.node0);
+                             const Vec3 stretch =
+                                 r.unknowns.segment<3>(3 * edge.node1) - r.unknowns.segment<3>(3 * edge.node0);
                              const Vec3 turning = (stretch - now.t * now.t.dot(stretch)) / now.length;
                              const int roll = r.system->layout.roll(e);
                              return Vec3(r.reaction_rate[roll] * now.t + r.reaction[roll] * turning);

@@ -16,7 +16,8 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b
 Result<int> rod_of(const Measurement& m, const System& system) {
   const int rod = system.structure.rod_index(m.expectation.rod);
   if (rod >= 0) return rod;
-  return Error{ErrorCode::kUnknown, m.where + "/rod", "there is no rod \"" + m.expectation.rod + "\"", "name one of the rods"};
+  return Error{ErrorCode::kUnknown, m.where + "/rod", "there is no rod \"" + m.expectation.rod + "\"",
+               "name one of the rods"};
 }
 
 /// A bending place of the situation, with its strain.
@@ -36,7 +37,8 @@ Result<Bent> bent_at(const Measurement& m) {
   const bool closed = system.structure.rods[rod.value()].closed;
   std::vector<RodPlace> places = rod_places(system);
   std::erase_if(places, [&](const RodPlace& p) { return p.rod != rod.value(); });
-  std::stable_sort(places.begin(), places.end(), [](const RodPlace& a, const RodPlace& b) { return a.along < b.along; });
+  std::stable_sort(places.begin(), places.end(),
+                   [](const RodPlace& a, const RodPlace& b) { return a.along < b.along; });
   const RodPlace* nearest = nullptr;
   double best = std::numeric_limits<double>::infinity();
   for (const RodPlace& p : places) {
@@ -48,7 +50,8 @@ Result<Bent> bent_at(const Measurement& m) {
     }
   }
   if (nearest != nullptr) return Bent{strain_at(system, found.value()->state, *nearest), nearest->rest};
-  return Error{ErrorCode::kGeometry, m.where + "/rod", "the rod bends nowhere: it has a single free edge", "give it more edges"};
+  return Error{ErrorCode::kGeometry, m.where + "/rod", "the rod bends nowhere: it has a single free edge",
+               "give it more edges"};
 }
 
 /// Strain of the edge that contains the place, and its number.

@@ -78,14 +78,16 @@ Result<double> principal_stiffness(const Measurement& m) {
     for (int i = 0; i < j; ++i) basis.col(j) -= basis.col(i) * basis.col(i).dot(basis.col(j));
     const double left = basis.col(j).norm();
     if (!(left > 1e-6 * moves.col(j).norm())) {
-      return Error{ErrorCode::kConflict, m.where + "/poses", "the poses do not move the place in independent directions", ""};
+      return Error{ErrorCode::kConflict, m.where + "/poses",
+                   "the poses do not move the place in independent directions", ""};
     }
     basis.col(j) /= left;
   }
   const MatX stiffness = (basis.transpose() * forces) * (basis.transpose() * moves).inverse();
   const Eigen::SelfAdjointEigenSolver<MatX> principal(0.5 * (stiffness + stiffness.transpose()));
   if (m.expectation.mode < count) return principal.eigenvalues()[m.expectation.mode];
-  return Error{ErrorCode::kRange, m.where + "/mode", "there are only " + std::to_string(count) + " principal stiffnesses", ""};
+  return Error{ErrorCode::kRange, m.where + "/mode",
+               "there are only " + std::to_string(count) + " principal stiffnesses", ""};
 }
 
 }  // namespace lissom

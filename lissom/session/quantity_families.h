@@ -47,6 +47,9 @@ Result<double> critical_load(const Measurement& m);
 Result<double> mode_stiffness(const Measurement& m);
 Result<double> principal_stiffness(const Measurement& m);
 
+// Vibration.
+Result<double> natural_frequency(const Measurement& m);
+
 // Shared by the families.
 
 /// Nodes selected by the place of a measurement.

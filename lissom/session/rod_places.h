@@ -10,11 +10,11 @@ namespace lissom {
 
 struct RodPlace {
   int rod = -1;
-  int pair = -1;              ///< of Structure::pairs, or -1
-  int connection = -1;        ///< of System::connections, or -1
-  int node = -1;              ///< where it is
-  int edge0 = -1, edge1 = -1; ///< the edge that arrives and the one that leaves; -1 where the joint is in its stead
-  double along = 0;           ///< m, rest length from the start of the rod
+  int pair = -1;               ///< of Structure::pairs, or -1
+  int connection = -1;         ///< of System::connections, or -1
+  int node = -1;               ///< where it is
+  int edge0 = -1, edge1 = -1;  ///< the edge that arrives and the one that leaves; -1 where the joint is in its stead
+  double along = 0;            ///< m, rest length from the start of the rod
   PairRest rest;
 };
 

@@ -52,7 +52,9 @@ class NumberLists {
   Error error_;
 };
 
-Vec3 vector_at(const std::vector<double>& values, size_t i) { return {values[3 * i], values[3 * i + 1], values[3 * i + 2]}; }
+Vec3 vector_at(const std::vector<double>& values, size_t i) {
+  return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
 
 template <class Items, class Of>
 Json vectors(const Items& items, const Of& of) {

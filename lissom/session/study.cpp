@@ -69,11 +69,33 @@ Result<const Stability*> Study::stability(int pose, int modes, double refine) {
   });
 }
 
+Result<const std::vector<NaturalMode>*> Study::vibrations(int pose, int modes, double refine) {
+  const Key key(pose, refine);
+  auto known = vibrations_.find(key);
+  if (known != vibrations_.end() && known->second.first < modes) {
+    vibrations_.erase(known);
+    known = vibrations_.end();
+  }
+  if (known == vibrations_.end()) {
+    const Result<const Situation*> situation = this->situation(pose, refine);
+    if (!situation) return situation.error();
+    // Nothing is taken out: everything has inertia.
+    const Result<StaticProblem> free = make_static_problem(model_, *situation.value()->system, model_.poses[pose],
+                                                           "/poses/" + std::to_string(pose), NullMotions::kKeep);
+    if (!free) return free.error();
+    known = vibrations_
+                .emplace(key, std::pair(modes, natural_modes(free.value(), situation.value()->state, modes,
+                                                             RollInertia::kLumped, context_)))
+                .first;
+  }
+  if (!known->second.second) return known->second.second.error();
+  return &known->second.second.value();
+}
+
 Result<StaticProblem> Study::make_problem(Key key) {
   const Result<const System*> system = this->system(key.second);
   if (!system) return system.error();
-  return make_static_problem(model_, *system.value(), model_.poses[key.first],
-                             "/poses/" + std::to_string(key.first));
+  return make_static_problem(model_, *system.value(), model_.poses[key.first], "/poses/" + std::to_string(key.first));
 }
 
 Result<PathResult> Study::make_path(Key key) {
@@ -81,14 +103,16 @@ Result<PathResult> Study::make_path(Key key) {
   const Result<const StaticProblem*> problem = this->problem(key.first, key.second);
   if (!problem) return problem.error();
   if (!pose.path) {
-    return Error{ErrorCode::kConflict, {}, name_of(key.first) + " has no \"path\"", "give it one, such as \"path\": {}"};
+    return Error{
+        ErrorCode::kConflict, {}, name_of(key.first) + " has no \"path\"", "give it one, such as \"path\": {}"};
   }
   PathResult path =
       follow_path(*problem.value(), start_state(*problem.value(), pose), *pose.path, {.solve = options_}, context_);
-  const bool arrived = path.end == PathEnd::kReached ||
-                       (path.end == PathEnd::kStoppedAtCritical && pose.path->stop_at_critical);
+  const bool arrived =
+      path.end == PathEnd::kReached || (path.end == PathEnd::kStoppedAtCritical && pose.path->stop_at_critical);
   if (!arrived || path.points.empty()) {
-    return Error{ErrorCode::kGeometry, {}, "the path of " + name_of(key.first) + " did not arrive: " + path.message, ""};
+    return Error{
+        ErrorCode::kGeometry, {}, "the path of " + name_of(key.first) + " did not arrive: " + path.message, ""};
   }
   return path;
 }

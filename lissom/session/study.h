@@ -12,6 +12,7 @@
 #include "lissom/equilibrium/stability.h"
 #include "lissom/equilibrium/static_problem.h"
 #include "lissom/model/model.h"
+#include "lissom/motion/natural_modes.h"
 
 namespace lissom {
 
@@ -27,10 +28,10 @@ struct Situation {
 struct Rate {
   const System* system = nullptr;
   const StaticProblem* problem = nullptr;
-  State state;        ///< the equilibrium at which it is taken
-  VecX reaction;      ///< N, N m, in that state
-  VecX unknowns;      ///< derivative of the unknowns, global axes
-  VecX reaction_rate; ///< derivative of `reaction`
+  State state;         ///< the equilibrium at which it is taken
+  VecX reaction;       ///< N, N m, in that state
+  VecX unknowns;       ///< derivative of the unknowns, global axes
+  VecX reaction_rate;  ///< derivative of `reaction`
 };
 
 /// The model and the context have to outlive the study. References that it hands out stay valid as long as it lives.
@@ -53,6 +54,8 @@ class Study {
   Result<const Rate*> rate(int pose, double refine = 1);
   /// At least `modes` of the lowest modes in the situation, unless there are fewer.
   Result<const Stability*> stability(int pose, int modes, double refine = 1);
+  /// At least `modes` of the slowest free vibrations about the situation, unless there are fewer.
+  Result<const std::vector<NaturalMode>*> vibrations(int pose, int modes, double refine = 1);
 
  private:
   using Key = std::pair<int, double>;  // pose, refine
@@ -73,6 +76,7 @@ class Study {
   std::map<Key, Result<Situation>> situations_;
   std::map<Key, Result<Rate>> rates_;
   std::map<Key, Result<Stability>> stabilities_;
+  std::map<Key, std::pair<int, Result<std::vector<NaturalMode>>>> vibrations_;  // with how many were asked for
 };
 
 /// Forces and moments of the supports in a state, global axes.

@@ -45,8 +45,11 @@ Result<Rate> Study::make_rate(Key key) {
   } else {
     const double factor = pose.path ? pose.path->from : 0;
     Equilibrium start = solve(problem, start_state(problem, pose), factor, options_, context_);
-    if (start.verdict != Verdict::kStable && start.verdict != Verdict::kCritical && start.verdict != Verdict::kUnstable) {
-      return Error{ErrorCode::kGeometry, {}, name_of(key.first) + " is not in balance at its first load factor: " + start.message,
+    if (start.verdict != Verdict::kStable && start.verdict != Verdict::kCritical &&
+        start.verdict != Verdict::kUnstable) {
+      return Error{ErrorCode::kGeometry,
+                   {},
+                   name_of(key.first) + " is not in balance at its first load factor: " + start.message,
                    ""};
     }
     rate.state = std::move(start.state);
@@ -65,9 +68,11 @@ Result<Rate> Study::make_rate(Key key) {
     VecX right, free, correction, image;
     problem.supports.restrict(force, right);
     right = -right;
-    const Error singular{ErrorCode::kGeometry, {},
-                         "the linearised problem of " + name_of(key.first) + " is singular: something can move without a force",
-                         "hold it, or measure without \"_rate\""};
+    const Error singular{
+        ErrorCode::kGeometry,
+        {},
+        "the linearised problem of " + name_of(key.first) + " is singular: something can move without a force",
+        "hold it, or measure without \"_rate\""};
     if (!workspace.factorize(0).complete) return singular;
     workspace.factor().solve(right, free);
     workspace.multiply_free(free, image);

@@ -62,8 +62,8 @@ void run_entry(Study& study, const Expectation& e, const std::string& where, std
   }
   const size_t count = measured.value().size();
   if (e.value.size() != 1 && e.value.size() != count) {
-    checks.push_back(failed(label, fmt::format("{}: {} values are claimed for {} measurements", where + "/value",
-                                               e.value.size(), count)));
+    checks.push_back(failed(
+        label, fmt::format("{}: {} values are claimed for {} measurements", where + "/value", e.value.size(), count)));
     return;
   }
   for (size_t i = 0; i < count; ++i) {
@@ -92,7 +92,8 @@ std::vector<Check> verify(const Model& model, const Context& context) {
     }
     run_entry(study, e, "/expect/" + std::to_string(i), checks);
   }
-  if (checks.empty()) checks.push_back(failed("expectations", "the document expects nothing: it has no \"expect\" entry"));
+  if (checks.empty())
+    checks.push_back(failed("expectations", "the document expects nothing: it has no \"expect\" entry"));
   return checks;
 }
 
@@ -102,9 +103,8 @@ std::string check_line(const Check& check, const std::string& document) {
   if (!check.failure.empty()) return line + check.failure;
   const std::string unit = check.unit.empty() ? "" : " " + check.unit;
   line += fmt::format("got {:.7g}{}, expected {:.7g}{}, deviation ", check.got, unit, check.expected, unit);
-  line += std::isnan(check.relative) || !check.relative_tolerance
-              ? fmt::format("{:+.2g}{}", check.deviation, unit)
-              : fmt::format("{:+.2g} %", 100 * check.relative);
+  line += std::isnan(check.relative) || !check.relative_tolerance ? fmt::format("{:+.2g}{}", check.deviation, unit)
+                                                                  : fmt::format("{:+.2g} %", 100 * check.relative);
   line += check.relative_tolerance ? fmt::format(", tolerance {:.4g} %", 100 * check.tolerance)
                                    : fmt::format(", tolerance {:.4g}{}", check.tolerance, unit);
   if (!check.source.empty()) line += " (" + check.source + ")";

@@ -13,14 +13,14 @@ namespace lissom {
 /// One claimed number and what was measured.
 struct Check {
   bool passed = false;
-  std::string label;       ///< what is claimed: label or quantity, and the pose where there are several
-  std::string failure;     ///< why nothing could be measured; empty when something was
-  double got = 0, expected = 0;   ///< in `unit`
-  double deviation = 0;    ///< got - expected, in `unit`
-  double relative = 0;     ///< deviation / |expected|; NaN when 0 is expected
-  double tolerance = 0;    ///< relative, or in `unit`
+  std::string label;             ///< what is claimed: label or quantity, and the pose where there are several
+  std::string failure;           ///< why nothing could be measured; empty when something was
+  double got = 0, expected = 0;  ///< in `unit`
+  double deviation = 0;          ///< got - expected, in `unit`
+  double relative = 0;           ///< deviation / |expected|; NaN when 0 is expected
+  double tolerance = 0;          ///< relative, or in `unit`
   bool relative_tolerance = false;
-  std::string unit;        ///< empty: a pure number
+  std::string unit;  ///< empty: a pure number
   std::string source;
 };
 

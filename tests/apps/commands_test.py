@@ -90,6 +90,8 @@ class Path(tool.ToolTest):
         followed = json.loads(out)["poses"][0]
         critical = followed["critical"][0]
         self.assertEqual(critical["kind"], "bifurcation")
+        self.assertAlmostEqual(critical["load_factor"], 0.12112, delta=0.0002)
+        self.assertEqual((critical["negative_modes_before"], critical["negative_modes_after"]), (0, 2))  # a round rod
         self.assertEqual(followed["end"]["name"], "reached")
         with open(self.folder / "out/column-loaded-path.csv", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -104,7 +106,7 @@ class Path(tool.ToolTest):
     def test_stops_where_told(self):
         self.write("column.lissom", tool.column())
         out, _ = self.run_tool("path", "column.lissom", "--stop-at-critical", "--picture", "png")
-        self.assertIn("bifurcation at load factor 0.1", out)
+        self.assertIn("bifurcation at load factor 0.121", out)
         self.assertTrue((self.folder / "out/column-loaded-path.png").exists())
 
     def test_wrong_use(self):
@@ -113,6 +115,31 @@ class Path(tool.ToolTest):
         self.assertIn("same load factor", err)
         _, err = self.run_tool("path", "column.lissom", "--watch", "tipp", code=3)
         self.assertIn('did you mean "tip"', err)
+
+
+class Modes(tool.ToolTest):
+    def test_frequencies_of_a_cantilever(self):
+        """f = 1.8751^2 / (2 pi L^2) sqrt(B / rho A), every bending mode twice; the softest motion goes with the force."""
+        document = tool.cantilever(edges=40, materials={"soft": {"youngs_modulus": "25 MPa", "poisson_ratio": 0.4,
+                                                                 "density": "1200 kg/m^3"}})
+        document["rods"][0]["material"] = "soft"
+        del document["poses"][0]["forces"]
+        self.write("beam.lissom", document)
+        out, _ = self.run_tool("modes", "beam.lissom", "--count", "4", "--json", "--vtu")
+        modes = json.loads(out)["poses"][0]
+        expected = 1.875104**2 / (2 * math.pi * LENGTH**2) * math.sqrt(25e6 * RADIUS**2 / 4 / 1200)
+        for vibration in modes["vibrations"][:2]:
+            self.assertAlmostEqual(vibration["frequency_Hz"], expected, delta=0.005 * expected)
+            self.assertGreater(vibration["bending"], 0.99)
+        self.assertEqual(len(modes["softest"]), 4)
+        self.assertGreater(modes["softest"][0]["stiffness_N_per_m"], 0)
+        for name in ("beam-loaded-modes.svg", "beam-loaded-modes.json", "beam-loaded-soft-3.vtu", "beam-loaded-vibration-0.vtu"):
+            self.assertTrue((self.folder / "out" / name).exists(), name)
+
+    def test_weightless_structures_have_no_vibrations(self):
+        self.write("column.lissom", tool.column())
+        out, _ = self.run_tool("modes", "column.lissom", "--count", "2", "--at-saddle", "stay", code=11)
+        self.assertIn("no vibrations: the materials have no density", out)
 
 
 class Files(tool.ToolTest):

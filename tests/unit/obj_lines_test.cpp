@@ -155,8 +155,7 @@ TEST(ImportNetwork, GridHasARodPerLineAndItsBoundary) {
   const Structure s = discretize(network.model).value();
   EXPECT_EQ(s.joints.size(), 49u);
   Selector boundary;
-  boundary.kind = Selector::Kind::kSet;
-  boundary.name = "boundary";
+  boundary.kind = Selector::Kind::kBoundary;
   EXPECT_EQ(select(network.model, s, boundary, "").value().size(), 24u);
 }
 

@@ -1,11 +1,11 @@
-#include "lissom/session/results_json.h"
+#include "lissom/session/result_file.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "lissom/model/document.h"
-#include "lissom/session/json_lines.h"
+#include "lissom/session/layout_json.h"
 #include "lissom/session/state_json.h"
 
 namespace lissom {
@@ -136,7 +136,8 @@ Result<SavedResult> read_result(std::string_view text, const std::string& name) 
 
 Status check_state(const System& system, const State& state) {
   const auto differs = [](const char* what, size_t got, size_t wanted) {
-    return Error{ErrorCode::kConflict, {},
+    return Error{ErrorCode::kConflict,
+                 {},
                  "the result belongs to another structure: it has " + std::to_string(got) + " " + what + ", this one " +
                      std::to_string(wanted),
                  "resume from a result of this document"};
@@ -146,9 +147,12 @@ Status check_state(const System& system, const State& state) {
   if (state.q.size() != system.layout.size()) {
     return differs("unknowns", static_cast<size_t>(state.q.size()), static_cast<size_t>(system.layout.size()));
   }
-  if (state.joint_rotation.size() != s.joints.size()) return differs("joints", state.joint_rotation.size(), s.joints.size());
-  if (state.joint_turn.size() != s.joints.size()) return differs("turns of joints", state.joint_turn.size(), s.joints.size());
-  if (state.pair_twist.size() != s.pairs.size()) return differs("inner vertices", state.pair_twist.size(), s.pairs.size());
+  if (state.joint_rotation.size() != s.joints.size())
+    return differs("joints", state.joint_rotation.size(), s.joints.size());
+  if (state.joint_turn.size() != s.joints.size())
+    return differs("turns of joints", state.joint_turn.size(), s.joints.size());
+  if (state.pair_twist.size() != s.pairs.size())
+    return differs("inner vertices", state.pair_twist.size(), s.pairs.size());
   if (state.connection_twist.size() != system.connections.size()) {
     return differs("rod ends at joints", state.connection_twist.size(), system.connections.size());
   }
@@ -156,7 +160,9 @@ Status check_state(const System& system, const State& state) {
     const size_t e = static_cast<size_t>(&edge - s.edges.data());
     const double length = (state.position(edge.node1) - state.position(edge.node0)).norm();
     if (std::abs(length - state.edges[e].length) <= 1e-9 * length) continue;
-    return Error{ErrorCode::kConflict, {}, "the result belongs to another structure: its edges join other nodes",
+    return Error{ErrorCode::kConflict,
+                 {},
+                 "the result belongs to another structure: its edges join other nodes",
                  "resume from a result of this document"};
   }
   return {};

@@ -24,9 +24,9 @@ std::string result_summary(const Pose& pose, const System& system, const std::ve
                            const Equilibrium& equilibrium, const std::vector<std::filesystem::path>& files);
 
 struct SavedResult {
-  Document document;   ///< as it was when the result was made
+  Document document;  ///< as it was when the result was made
   std::string pose;
-  std::string verdict; ///< name
+  std::string verdict;  ///< name
   State state;
 };
 
