@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lissom/equilibrium/options.h"
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/equilibrium.h"
 #include "lissom/motion/natural_modes.h"
