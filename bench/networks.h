@@ -14,7 +14,8 @@ inline Model hanging_cantilever(int nodes) {
   Model model;
   Rod rod = scene_models::round_rod("beam", Polyline{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, false}, 0.005, "", nodes - 1);
   // E I = 8.33e-3 N m^2 with a round section of 5 mm.
-  Material material{"soft", 8.33e-3 / (0.25 * 3.14159265358979 * 6.25e-10), 0.3, 0, 1, "the load case of the comparison"};
+  Material material{
+      "soft", 8.33e-3 / (0.25 * 3.14159265358979 * 6.25e-10), 0.3, 0, 1, "the load case of the comparison"};
   rod.material = material.name;
   model.materials.push_back(material);
   model.rods.push_back(rod);

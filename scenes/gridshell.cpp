@@ -1,12 +1,12 @@
 /// A gridshell: glass-fibre tubes laid out flat, fastened to each other where they cross, pushed inwards at their ends
 /// until they rise. The plan is the line network scenes/data/gridshell.obj.
 
+#include <gridshell_obj.h>
 #include <utility>
 #include <vector>
 
 #include "lissom/core/assert.h"
 #include "lissom/model/import_network.h"
-#include "scenes/gridshell_obj.h"
 #include "scenes/parts.h"
 #include "scenes/scene_models.h"
 

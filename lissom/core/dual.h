@@ -3,10 +3,9 @@
 /// of one scalar expression. Used where derivatives follow from a value that is written once, and to check those that
 /// are written by hand.
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
-
-#include <Eigen/Core>
 
 /// Arithmetic on duals is loops over hundreds of numbers: inlining it buys nothing and costs minutes of compilation.
 #if defined(__GNUC__)
@@ -127,6 +126,14 @@ struct NumTraits<lissom::Dual2<N>> : GenericNumTraits<double> {
   using Real = lissom::Dual2<N>;
   using NonInteger = lissom::Dual2<N>;
   using Nested = lissom::Dual2<N>;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 8, AddCost = 64, MulCost = 256 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 8,
+    AddCost = 64,
+    MulCost = 256
+  };
 };
 }  // namespace Eigen

@@ -2,10 +2,9 @@
 /// Four doubles that are computed with at once. Kernels written for a scalar type run on packs of stencils unchanged.
 /// Uses the vector extension that GCC and Clang share (x86-64, ARM, WebAssembly); the compiler lowers it to what is there.
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstring>
-
-#include <Eigen/Core>
 
 namespace lissom {
 
@@ -57,6 +56,14 @@ struct NumTraits<lissom::Pack> : GenericNumTraits<double> {
   using Real = lissom::Pack;
   using NonInteger = lissom::Pack;
   using Nested = lissom::Pack;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
 };
 }  // namespace Eigen

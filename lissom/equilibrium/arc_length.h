@@ -15,9 +15,9 @@ class ArcLength {
   /// One step from an equilibrium to the next along the branch.
   Outcome step(const State& from, State& to);
 
-  double direction() const { return direction_; }               ///< sign of dlambda of the last step
+  double direction() const { return direction_; }  ///< sign of dlambda of the last step
   double direction_before() const { return direction_before_; }
-  double extremum() const { return extremum_; }                 ///< load factor at the turning point just passed
+  double extremum() const { return extremum_; }  ///< load factor at the turning point just passed
 
  private:
   bool correct_along(State& state, const VecX& tangent, double tangent_load);
@@ -28,9 +28,9 @@ class ArcLength {
   double tolerance_;
   double first_load_step_;
   double arc_ = 0, direction_ = 0, direction_before_ = 0, extremum_ = 0, last_slope_ = 0, last_load_ = 0;
-  VecX last_tangent_;      // free unknowns, scaled metric
+  VecX last_tangent_;  // free unknowns, scaled metric
   double last_tangent_load_ = 0;
-  VecX weight_;            // metric of the arc
+  VecX weight_;  // metric of the arc
 };
 
 }  // namespace lissom

@@ -16,7 +16,11 @@ namespace {
 class PathFollower {
  public:
   PathFollower(const StaticProblem& problem, const LoadPath& path, const PathOptions& options, const Context& context)
-      : problem_(problem), path_(path), options_(options), context_(context), workspace_(problem, context, FactorKind::kLdl),
+      : problem_(problem),
+        path_(path),
+        options_(options),
+        context_(context),
+        workspace_(problem, context, FactorKind::kLdl),
         tolerance_(std::max(options.solve.tolerance * problem.scales.force, 2 * problem.scales.rounding)) {}
 
   PathResult run(const State& start);
@@ -182,7 +186,8 @@ void PathFollower::follow_arc(State state, PathStability stability) {
     }
     const ArcLength::Outcome outcome = arc.step(state, next);
     if (outcome == ArcLength::Outcome::kStuck) {
-      end(PathEnd::kStepTooSmall, "the path cannot be continued beyond load factor " + std::to_string(state.load_factor));
+      end(PathEnd::kStepTooSmall,
+          "the path cannot be continued beyond load factor " + std::to_string(state.load_factor));
       return;
     }
     PathStability at_next = path_stability(workspace_, next);

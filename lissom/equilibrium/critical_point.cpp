@@ -74,9 +74,10 @@ bool step_load(NewtonWorkspace& workspace, const State& from, double load_factor
   return correct(workspace, to, tolerance, options);
 }
 
-std::optional<CriticalPoint> locate_critical(NewtonWorkspace& workspace, const State& before, const PathStability& at_before,
-                                             const State& after, const PathStability& at_after, double width,
-                                             double tolerance, const SolveOptions& options) {
+std::optional<CriticalPoint> locate_critical(NewtonWorkspace& workspace, const State& before,
+                                             const PathStability& at_before, const State& after,
+                                             const PathStability& at_after, double width, double tolerance,
+                                             const SolveOptions& options) {
   State low = before, high = after, middle;
   PathStability at_low = at_before, at_high = at_after;
   for (int k = 0; k < 60 && std::abs(high.load_factor - low.load_factor) > width; ++k) {
@@ -120,7 +121,8 @@ std::optional<CriticalPoint> locate_critical(NewtonWorkspace& workspace, const S
   workspace.assemble(point.state);
   const VecX load = load_sensitivity(workspace, point.state);
   const double work = std::abs(nearest.nearest_shape.dot(load));
-  point.kind = work > 1e-4 * nearest.nearest_shape.norm() * load.norm() ? CriticalKind::kFold : CriticalKind::kBifurcation;
+  point.kind =
+      work > 1e-4 * nearest.nearest_shape.norm() * load.norm() ? CriticalKind::kFold : CriticalKind::kBifurcation;
   return point;
 }
 

@@ -8,7 +8,8 @@ namespace {
 
 constexpr VerdictInfo kVerdicts[] = {
     {Verdict::kStable, "stable", "settled: every small motion costs energy", 0},
-    {Verdict::kCritical, "critical", "settled, but some motion costs no energy: the shape can change without a force", 10},
+    {Verdict::kCritical, "critical", "settled, but some motion costs no energy: the shape can change without a force",
+     10},
     {Verdict::kUnstable, "unstable", "in balance, but not stable: the smallest push makes it leave", 11},
     {Verdict::kIterationLimit, "iteration_limit", "out of iterations; the best shape so far was kept", 12},
     {Verdict::kStalled, "stalled", "no step lowers the energy although forces are left; the best shape was kept", 13},

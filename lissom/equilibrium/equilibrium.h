@@ -38,8 +38,8 @@ struct Mode {
 struct IterationRecord {
   int iteration = 0;
   double load_factor = 0;
-  double energy = 0;       ///< J
-  double residual = 0;     ///< N, largest of forces and moments / L0
+  double energy = 0;    ///< J
+  double residual = 0;  ///< N, largest of forces and moments / L0
   double shift = 0;
   double step = 0;         ///< fraction of the Newton step taken
   double turn = 0;         ///< rad, largest turn of an edge
@@ -53,28 +53,28 @@ struct EnergyShare {
 
 /// A place worth looking at: what is largest there.
 struct WorstElement {
-  std::string what;   ///< "unbalanced force", "turning angle", "axial strain", ...
-  std::string rod;    ///< name
+  std::string what;  ///< "unbalanced force", "turning angle", "axial strain", ...
+  std::string rod;   ///< name
   int node = -1, edge = -1;
-  double value = 0;   ///< SI
+  double value = 0;  ///< SI
   std::string unit;
 };
 
 struct Equilibrium {
   State state;
   Verdict verdict = Verdict::kBadStart;
-  std::string message;           ///< one sentence: the verdict with its reason
-  double residual = 0;           ///< N
-  double tolerance = 0;          ///< N, what the residual was judged by
+  std::string message;   ///< one sentence: the verdict with its reason
+  double residual = 0;   ///< N
+  double tolerance = 0;  ///< N, what the residual was judged by
   int iterations = 0;
-  int factorizations = 0;        ///< all attempted, stability check included
+  int factorizations = 0;  ///< all attempted, stability check included
   int negative_modes = 0;
-  double energy = 0;             ///< J
+  double energy = 0;  ///< J
   std::vector<EnergyShare> energy_shares;
-  std::vector<Mode> modes;       ///< lowest, ascending
+  std::vector<Mode> modes;  ///< lowest, ascending
   std::vector<WorstElement> worst;
   std::vector<IterationRecord> records;
-  VecX reaction;                 ///< N, N m, per unknown (global axes): what held unknowns carry, 0 elsewhere
+  VecX reaction;  ///< N, N m, per unknown (global axes): what held unknowns carry, 0 elsewhere
 };
 
 }  // namespace lissom

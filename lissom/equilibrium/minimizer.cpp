@@ -56,8 +56,8 @@ bool Minimization::line_search(double slope, double curvature, double reach) {
   first_trial_ = true;
   while (a > kSmallestStep) {
     trial_energy_ = try_at(a);
-    const double bound = energy_ + kArmijo * a * (slope + std::min(0.0, 0.5 * a * curvature)) +
-                         kEnergyNoise * std::abs(energy_);
+    const double bound =
+        energy_ + kArmijo * a * (slope + std::min(0.0, 0.5 * a * curvature)) + kEnergyNoise * std::abs(energy_);
     if (trial_energy_ <= bound) {
       taken_ = a;
       return true;
@@ -168,12 +168,14 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
                            : without_progress + 1;
     least_residual = std::min(least_residual, result.residual);
     if (without_progress > 12) {
-      result.verdict = result.residual <= 100 * workspace_.problem().scales.rounding ? Verdict::kStable : Verdict::kStalled;
+      result.verdict =
+          result.residual <= 100 * workspace_.problem().scales.rounding ? Verdict::kStable : Verdict::kStalled;
       return result;
     }
     const double size = workspace_.problem().scales.length;
     if ((state_.position(0) - workspace_.system().structure.nodes[0]).norm() > kRunawaySizes * size ||
-        state_.q.head(3 * workspace_.system().layout.nodes()).cwiseAbs().maxCoeff() > 2 * kRunawaySizes * size + 1e6 * size) {
+        state_.q.head(3 * workspace_.system().layout.nodes()).cwiseAbs().maxCoeff() >
+            2 * kRunawaySizes * size + 1e6 * size) {
       result.verdict = Verdict::kRunaway;
       return result;
     }

@@ -11,7 +11,7 @@ namespace lissom {
 struct Descent {
   Verdict verdict = Verdict::kBadStart;  ///< kStable stands for "converged": stability has not been looked at yet
   int iterations = 0;
-  double residual = 0;                   ///< N
+  double residual = 0;  ///< N
 };
 
 /// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N).

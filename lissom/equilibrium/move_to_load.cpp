@@ -11,10 +11,10 @@ namespace lissom {
 
 namespace {
 
-constexpr double kMostStrain = 5e-3;      // change of axial strain in one step
+constexpr double kMostStrain = 5e-3;  // change of axial strain in one step
 constexpr int kMostSteps = 2000;
 constexpr int kRoughIterations = 15;
-constexpr double kRoughTolerance = 1e4;   // times the final one
+constexpr double kRoughTolerance = 1e4;  // times the final one
 
 }  // namespace
 

@@ -26,7 +26,7 @@ class NewtonWorkspace {
   /// Gradient only; leaves the Hessian of the last assembly.
   void gradient(const State& state, VecX& local);
 
-  const VecX& local_gradient() const { return gradient_; }   ///< all unknowns, local axes
+  const VecX& local_gradient() const { return gradient_; }  ///< all unknowns, local axes
   const VecX& free_gradient() const { return free_gradient_; }
   const std::vector<double>& hessian() const { return hessian_; }
   /// Diagonal with the mean |H_ii| of each class of unknowns: the metric of shifts, per free unknown.

@@ -23,7 +23,7 @@ enum class ShiftRule {
   kEigenvalue,  ///< from an estimate of the lowest eigenvalue (E)
 };
 
-enum class Expansion { kOff, kOn };     ///< try longer steps while a shift is active (X)
+enum class Expansion { kOff, kOn };        ///< try longer steps while a shift is active (X)
 enum class FrameRelaxation { kOff, kOn };  ///< balance rolls and joint rotations inside each trial (F)
 
 /// What to do in an equilibrium that is not stable.
@@ -34,16 +34,16 @@ enum class AtSaddle {
 
 struct SolveOptions {
   Method method = Method::kMinimize;
-  double tolerance = 1e-6;       ///< of the residual, relative to Scales::force
+  double tolerance = 1e-6;  ///< of the residual, relative to Scales::force
   int max_iterations = 500;
   StepPath path = StepPath::kSecondOrderRotating;
   ShiftRule shift = ShiftRule::kEigenvalue;
   Expansion expansion = Expansion::kOn;
   FrameRelaxation frames = FrameRelaxation::kOff;
   AtSaddle at_saddle = AtSaddle::kEscape;
-  double max_turn = 0.7;         ///< rad, largest turn of an edge in one step
-  double max_roll = 0.5;         ///< rad, largest change of a roll or joint rotation in one step
-  int modes = 3;                 ///< how many modes to report at the end; 0: inertia only
+  double max_turn = 0.7;  ///< rad, largest turn of an edge in one step
+  double max_roll = 0.5;  ///< rad, largest change of a roll or joint rotation in one step
+  int modes = 3;          ///< how many modes to report at the end; 0: inertia only
 
   Status validate() const;
 };

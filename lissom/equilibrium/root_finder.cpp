@@ -11,7 +11,9 @@ namespace lissom {
 namespace {
 
 /// Norm of the forces with each class of unknowns made comparable: g' D^-1 g.
-double merit(const VecX& gradient, const VecX& metric) { return std::sqrt(gradient.cwiseAbs2().cwiseQuotient(metric).sum()); }
+double merit(const VecX& gradient, const VecX& metric) {
+  return std::sqrt(gradient.cwiseAbs2().cwiseQuotient(metric).sum());
+}
 
 }  // namespace
 
@@ -83,8 +85,8 @@ Descent find_root(NewtonWorkspace& workspace, State& state, double tolerance, co
       return result;
     }
     std::swap(state, trial);
-    records.push_back({static_cast<int>(records.size()), state.load_factor, workspace.energy(state), result.residual, shift,
-                       a, a * turn, workspace.factorizations()});
+    records.push_back({static_cast<int>(records.size()), state.load_factor, workspace.energy(state), result.residual,
+                       shift, a, a * turn, workspace.factorizations()});
     workspace.context().report({"solve", -1, static_cast<int>(records.size()), result.residual, "balancing forces"});
   }
 }

@@ -20,7 +20,8 @@ constexpr int kMaxEscapes = 8;
 bool escape(NewtonWorkspace& workspace, State& state, const Mode& mode, const SolveOptions& options) {
   const double turn = largest_turn(workspace.system(), state, mode.shape);
   const int frames = 3 * workspace.system().layout.nodes();
-  const double roll = mode.shape.size() > frames ? mode.shape.tail(mode.shape.size() - frames).cwiseAbs().maxCoeff() : 0;
+  const double roll =
+      mode.shape.size() > frames ? mode.shape.tail(mode.shape.size() - frames).cwiseAbs().maxCoeff() : 0;
   const double unit = 0.3 / std::max({turn, roll, 1e-300});
   StepPathPolicy path(workspace, options.path == StepPath::kStraight ? StepPath::kStraight : StepPath::kRotating);
   const VecX step = unit * mode.shape;
@@ -52,7 +53,8 @@ Status SolveOptions::validate() const {
     return Error{ErrorCode::kRange, "max_iterations", "at least one iteration is needed", "500 is usual"};
   }
   if (!(max_turn > 0) || max_turn > 1.5 || !(max_roll > 0) || max_roll > 1.5) {
-    return Error{ErrorCode::kRange, "max_turn", "limits on turns have to lie between 0 and 1.5 rad", "0.7 and 0.5 are usual"};
+    return Error{ErrorCode::kRange, "max_turn", "limits on turns have to lie between 0 and 1.5 rad",
+                 "0.7 and 0.5 are usual"};
   }
   if (modes < 0) return Error{ErrorCode::kRange, "modes", "the number of modes cannot be negative", ""};
   return {};

@@ -33,8 +33,8 @@ Stability examine_stability(NewtonWorkspace& workspace, int modes) {
   const int unknowns = problem.supports.unknowns();
   Stability stability;
   if (unknowns == 0) return stability;
-  stability.band = 1e-6 * problem.scales.stiffness +
-                   20 * std::numeric_limits<double>::epsilon() * largest_stiffness(workspace);
+  stability.band =
+      1e-6 * problem.scales.stiffness + 20 * std::numeric_limits<double>::epsilon() * largest_stiffness(workspace);
   const FactorReport report = workspace.factorize(0);
   const int wanted = std::min(unknowns, std::max(modes, 1));
   if (report.complete && report.positive_definite && modes == 0) return stability;

@@ -9,11 +9,11 @@
 namespace lissom {
 
 struct Stability {
-  int negative = 0;            ///< modes that release energy, beyond rounding
-  bool critical = false;       ///< some mode costs no energy within rounding
-  double band = 0;             ///< N/m, stiffnesses below this in size count as zero
-  std::vector<Mode> modes;     ///< lowest, ascending; shapes in global axes
-  MatX free_shapes;            ///< the same over the free unknowns, one column each
+  int negative = 0;         ///< modes that release energy, beyond rounding
+  bool critical = false;    ///< some mode costs no energy within rounding
+  double band = 0;          ///< N/m, stiffnesses below this in size count as zero
+  std::vector<Mode> modes;  ///< lowest, ascending; shapes in global axes
+  MatX free_shapes;         ///< the same over the free unknowns, one column each
 };
 
 /// Of the Hessian last assembled in the workspace. Leaves the workspace's factor unusable for the unshifted system when

@@ -41,6 +41,7 @@ class StepPathPolicy {
 /// Gradient at `moved` of the energy anchored at `anchor`, with `moved` = anchor advanced by dq [mathematics 1.8]: the
 /// gradient that is re-anchored at `moved` plus the holonomy of the frames and the left Jacobian of joint rotations.
 /// Global axes in and out.
-void to_anchored_gradient(const System& system, const State& anchor, const State& moved, const VecX& dq, VecX& gradient);
+void to_anchored_gradient(const System& system, const State& anchor, const State& moved, const VecX& dq,
+                          VecX& gradient);
 
 }  // namespace lissom

@@ -55,7 +55,10 @@ Status bend_twist(const Source& source, Terms& terms) {
     const int c = 3 * structure.edges[pair.edge1].node1;
     energy.stencils.push_back({{a, a + 1, a + 2, b, b + 1, b + 2, c, c + 1, c + 2,
                                 source.system.layout.roll(pair.edge0), source.system.layout.roll(pair.edge1)},
-                               rest_values(source.system.rest.pairs[p]), p, pair.edge0, pair.edge1});
+                               rest_values(source.system.rest.pairs[p]),
+                               p,
+                               pair.edge0,
+                               pair.edge1});
   }
   add(terms, std::move(energy));
   return {};
@@ -71,7 +74,12 @@ Status explicit_joints(const Source& source, Terms& terms) {
     const StructureEdge& edge = system.structure.edges[c.edge];
     const int a = 3 * edge.node0, b = 3 * edge.node1;
     energy.stencils.push_back({{a, a + 1, a + 2, b, b + 1, b + 2, system.layout.roll(c.edge), r, r + 1, r + 2},
-                               connection_rest_values(system.rest.connections[k]), k, c.edge, c.joint, c.direction, c.rest});
+                               connection_rest_values(system.rest.connections[k]),
+                               k,
+                               c.edge,
+                               c.joint,
+                               c.direction,
+                               c.rest});
   }
   add(terms, std::move(energy));
   return {};
@@ -127,7 +135,8 @@ Status line_loads(const Source& source, Terms& terms) {
     }
     for (int i = 0; i < static_cast<int>(length.size()); ++i) {
       if (length[i] == 0) continue;
-      energy.stencils.push_back({source.node_dofs(i), {length[i]}, source.drawn(i), load.force_per_length, load.scaling});
+      energy.stencils.push_back(
+          {source.node_dofs(i), {length[i]}, source.drawn(i), load.force_per_length, load.scaling});
     }
   }
   add(terms, std::move(energy));

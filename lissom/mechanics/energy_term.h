@@ -30,9 +30,9 @@ class EnergyTerm {
   virtual std::string_view name() const = 0;
   virtual std::string_view citation() const = 0;
   virtual int stencils() const = 0;
-  virtual int dofs() const = 0;           ///< per stencil
-  virtual int rests() const = 0;          ///< rest quantities per stencil
-  virtual bool has_hessian() const = 0;   ///< false: linear in the unknowns
+  virtual int dofs() const = 0;                      ///< per stencil
+  virtual int rests() const = 0;                     ///< rest quantities per stencil
+  virtual bool has_hessian() const = 0;              ///< false: linear in the unknowns
   virtual std::span<const int> indices() const = 0;  ///< (stencils x dofs) global unknowns
 
   int groups() const { return (stencils() + Pack::kLanes - 1) / Pack::kLanes; }

@@ -60,8 +60,13 @@ struct JointCorotational {
     for (int i = 0; i < K; ++i) {
       const EdgeState& e = state.edges[s.edge[i]];
       const double* rest = s.rest.data() + i * kConnectionRestCount;
-      local.edge[i] = {{e.t, e.b}, s.rest_frame[i], e.length,
-                       state.connection_twist[s.connection[i]], s.direction[i], connection_weights<double>(rest, s.weights), rest};
+      local.edge[i] = {{e.t, e.b},
+                       s.rest_frame[i],
+                       e.length,
+                       state.connection_twist[s.connection[i]],
+                       s.direction[i],
+                       connection_weights<double>(rest, s.weights),
+                       rest};
     }
   }
 

@@ -15,9 +15,7 @@ using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColM
 using Wide = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSize>;
 using Tall = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
 
-Vec3 axial(const Mat3& m) {
-  return 0.5 * Vec3(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1));
-}
+Vec3 axial(const Mat3& m) { return 0.5 * Vec3(m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)); }
 
 FrameT<double> held_frame(const CorotationalEdge& edge, const Mat3& rotation) {
   return {rotation * edge.rest_frame.t, rotation * edge.rest_frame.b};
@@ -25,8 +23,8 @@ FrameT<double> held_frame(const CorotationalEdge& edge, const Mat3& rotation) {
 
 /// Rotation vector r of the joint as a function of the edges' rotation vectors w: first and second derivatives.
 struct MatchedRotation {
-  Wide first;                                            ///< 3 x 3k, dr/dw
-  std::array<Wide, 3 * kMaxCorotationalEdges> second;    ///< 3 x 3k each: d2r/dw_u dw_v = second[u].col(v)
+  Wide first;                                          ///< 3 x 3k, dr/dw
+  std::array<Wide, 3 * kMaxCorotationalEdges> second;  ///< 3 x 3k each: d2r/dw_u dw_v = second[u].col(v)
 };
 
 MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int count, const Mat3& rotation) {
@@ -71,8 +69,8 @@ MatchedRotation matched_rotation_derivatives(const CorotationalEdge* edges, int 
       if (u / 3 == v / 3) {
         const CorotationalEdge& e = edges[u / 3];
         const Vec3 a = Vec3::Unit(u % 3), b = Vec3::Unit(v % 3);
-        n_uv += covariance_of(
-            e, [&](const Vec3& x) -> Vec3 { return 0.5 * (a.cross(b.cross(x)) + b.cross(a.cross(x))); });
+        n_uv +=
+            covariance_of(e, [&](const Vec3& x) -> Vec3 { return 0.5 * (a.cross(b.cross(x)) + b.cross(a.cross(x))); });
       }
       const Mat3 s_v = s_u[v].trace() * Mat3::Identity() - s_u[v];
       const Vec3 omega_uv = 2 * g_inverse * axial(rotation.transpose() * n_uv) -
@@ -92,9 +90,8 @@ double corotational_energy(const CorotationalEdge* edges, int count, const Mat3&
   for (int i = 0; i < count; ++i) {
     const FrameT<double> held = held_frame(edges[i], rotation);
     const std::span<const double, kPairRestCount> rest(edges[i].rest, kPairRestCount);
-    v += edges[i].direction > 0
-             ? bend_twist_energy<double>(curvature(held, edges[i].frame), edges[i].twist, rest)
-             : bend_twist_energy<double>(curvature(edges[i].frame, held), edges[i].twist, rest);
+    v += edges[i].direction > 0 ? bend_twist_energy<double>(curvature(held, edges[i].frame), edges[i].twist, rest)
+                                : bend_twist_energy<double>(curvature(edges[i].frame, held), edges[i].twist, rest);
   }
   return v;
 }
@@ -109,8 +106,8 @@ void corotational_derivatives(const CorotationalEdge* edges, int count, const Ma
     const CorotationalEdge& e = edges[i];
     const FrameT<double> held = held_frame(e, rotation);
     const bool leaves = e.direction > 0;
-    const FramePairDerivatives d = frame_pair_derivatives(leaves ? held : e.frame, leaves ? e.frame : held, e.twist,
-                                                          e.rest, hessian != nullptr);
+    const FramePairDerivatives d =
+        frame_pair_derivatives(leaves ? held : e.frame, leaves ? e.frame : held, e.twist, e.rest, hessian != nullptr);
     const int at[2] = {leaves ? n : 3 * i, leaves ? 3 * i : n};
     for (int a = 0; a < 2; ++a) {
       g.segment<3>(at[a]) += d.gradient.segment<3>(3 * a);

@@ -61,8 +61,9 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
     };
     const FrameT<T> held{held_axis(at_rest[i].t), held_axis(at_rest[i].b)};
     const std::span<const T, kPairRestCount> spring(rest + i * kConnectionRestCount, kPairRestCount);
-    v += f.edge[i].direction > 0 ? bend_twist_energy<T>(curvature(held, edge[i]), twist(held, edge[i], f.edge[i].twist), spring)
-                            : bend_twist_energy<T>(curvature(edge[i], held), twist(edge[i], held, f.edge[i].twist), spring);
+    v += f.edge[i].direction > 0
+             ? bend_twist_energy<T>(curvature(held, edge[i]), twist(held, edge[i], f.edge[i].twist), spring)
+             : bend_twist_energy<T>(curvature(edge[i], held), twist(edge[i], held, f.edge[i].twist), spring);
   }
   return v;
 }

@@ -50,8 +50,9 @@ struct JointExplicit {
   };
   Frozen frozen(const State& state, const Stencil& s) const {
     const EdgeState& e = state.edges[s.edge];
-    return {e.t, e.reference_b, state.joint_rotation[s.joint], s.rest_frame, state.connection_twist[s.connection],
-            s.direction};
+    return {
+        e.t,        e.reference_b, state.joint_rotation[s.joint], s.rest_frame, state.connection_twist[s.connection],
+        s.direction};
   }
 
   template <class T>
@@ -83,8 +84,8 @@ struct JointExplicit {
     const EdgeState& e = state.edges[s.edge];
     const Mat3& rotation = state.joint_rotation[s.joint];
     // The rest turn is 0 in every built term; it is an active variable of `value` for the mixed block only.
-    local = {{e.t, e.b}, {rotation * s.rest_frame.t, rotation * s.rest_frame.b},
-             e.length,   state.connection_twist[s.connection],
+    local = {{e.t, e.b},  {rotation * s.rest_frame.t, rotation * s.rest_frame.b},
+             e.length,    state.connection_twist[s.connection],
              s.direction, s.rest.data()};
   }
 
@@ -98,8 +99,8 @@ struct JointExplicit {
   template <class T>
   static void derivatives(const Local<T>& a, T* gradient, T* hessian) {
     const bool leaves = a.direction > 0;
-    const FramePairDerivatives d = frame_pair_derivatives(leaves ? a.held : a.edge, leaves ? a.edge : a.held, a.twist,
-                                                          a.rest, hessian != nullptr);
+    const FramePairDerivatives d =
+        frame_pair_derivatives(leaves ? a.held : a.edge, leaves ? a.edge : a.held, a.twist, a.rest, hessian != nullptr);
     const int edge_at = leaves ? 3 : 0, held_at = leaves ? 0 : 3;
     // Rotations (edge, held) by (e, theta, r), then e = x1 - x0.
     Eigen::Matrix<double, 6, 7> w = Eigen::Matrix<double, 6, 7>::Zero();

@@ -210,7 +210,8 @@ Status remove_null_motions(const Model& model, const System& system, const Pose&
     // Removing all of them on request leaves out those on which the loads do first-order work.
     Eigen::MatrixXd second = rotation_part.bottomRows(3).transpose() * work.second * rotation_part.bottomRows(3);
     Eigen::MatrixXd active = first * first.transpose() / std::max(work.size, 1e-300);
-    if (pose.rigid_motion == RigidMotion::kRemoveNeutral) active += (second * second).eval() / std::max(work.size, 1e-300);
+    if (pose.rigid_motion == RigidMotion::kRemoveNeutral)
+      active += (second * second).eval() / std::max(work.size, 1e-300);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> neutral(active);
     int neutral_count = 0;
     while (neutral_count < count && neutral.eigenvalues()[neutral_count] <= 1e-12 * std::max(work.size, 1e-300)) {

@@ -19,9 +19,9 @@ struct EdgeRest {
 
 /// Bending and twist spring of an ordered pair of frames: interior vertex, or rod edge against its joint.
 struct PairRest {
-  double kappa_1 = 0, kappa_2 = 0, twist = 0;  ///< natural strains, integrated (dimensionless, rad)
+  double kappa_1 = 0, kappa_2 = 0, twist = 0;          ///< natural strains, integrated (dimensionless, rad)
   double bend_1 = 0, bend_2 = 0, twist_stiffness = 0;  ///< B_1, B_2, beta, N m^2
-  double length = 0;                                    ///< integration length, m [mathematics 1.4]
+  double length = 0;                                   ///< integration length, m [mathematics 1.4]
 };
 
 /// Rest numbers of a whole structure, in the order of its edges, pairs, and connections (joint by joint).

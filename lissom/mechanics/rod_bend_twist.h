@@ -82,7 +82,8 @@ void RodBendTwist::derivatives(const Local<T>& a, T* gradient, T* hessian) {
   const T kappa1 = kb.dot(an) * chi * T(0.5), kappa2 = kb.dot(ab) * chi * T(0.5);
   const T per_length = T(1) / a.rest[kPairLength];
   const T c1 = a.rest[kBend1] * per_length, c2 = a.rest[kBend2] * per_length, c3 = a.rest[kTwistStiffness] * per_length;
-  const T s1 = c1 * (kappa1 - a.rest[kKappa1]), s2 = c2 * (kappa2 - a.rest[kKappa2]), s3 = c3 * (a.twist - a.rest[kRestTwist]);
+  const T s1 = c1 * (kappa1 - a.rest[kKappa1]), s2 = c2 * (kappa2 - a.rest[kKappa2]),
+          s3 = c3 * (a.twist - a.rest[kRestTwist]);
   const T per_l1 = T(1) / a.length1, per_l2 = T(1) / a.length2;
 
   // Gradients of the three strains by (e1, theta1, e2, theta2).
@@ -128,7 +129,7 @@ void RodBendTwist::derivatives(const Local<T>& a, T* gradient, T* hessian) {
   const V big_a = t2.cross(as), big_d = t1.cross(as);
   const V u1 = (as1 - (t1 + tt) * s3) * T(0.25), u2 = (as2 - (t2 + tt) * s3) * T(0.25);
   const V half_kb = kb * (T(0.5) * s3);
-  const V cross_part = t1 * (s3 * per_chi) - as;  // its skew matrix enters the mixed block
+  const V cross_part = t1 * (s3 * per_chi) - as;             // its skew matrix enters the mixed block
   const V ds1 = b1 * s1 + n1 * s2, ds2 = b2 * s1 + n2 * s2;  // sums of s_i d_i
   const V v1 = t2.cross(ds1) * per_chi, v2 = t2.cross(ds2) * per_chi;
   const V w1 = t1.cross(ds1) * per_chi, w2 = t1.cross(ds2) * per_chi;
@@ -152,7 +153,8 @@ void RodBendTwist::derivatives(const Local<T>& a, T* gradient, T* hessian) {
         e11[i][j] = e11[j][i] = h11 * per_11 + gauss_newton(i, j);
         e22[i][j] = e22[j][i] = h22 * per_22 + gauss_newton(4 + i, 4 + j);
       }
-      T h12 = tt_ij - kappa_chi * t1[i] * t2[j] - big_a[i] * tt[j] + tt[i] * big_d[j] + skew_row[j] - half_kb[i] * tt[j];
+      T h12 =
+          tt_ij - kappa_chi * t1[i] * t2[j] - big_a[i] * tt[j] + tt[i] * big_d[j] + skew_row[j] - half_kb[i] * tt[j];
       if (i == j) h12 -= kappa_chi;
       e12[i][j] = h12 * per_12 + gauss_newton(i, 4 + j);
     }

@@ -23,13 +23,13 @@ struct EdgeState {
 /// Energies, gradients and Hessians of a state are those of the function whose anchors are this state's frames
 /// [mathematics 1.2]: a state is always its own anchor.
 struct State {
-  VecX q;                              ///< DofLayout order; the rotation increments of joints are always 0
+  VecX q;  ///< DofLayout order; the rotation increments of joints are always 0
   std::vector<EdgeState> edges;
-  std::vector<double> pair_twist;       ///< rad, per interior vertex, any number of turns
-  std::vector<double> connection_twist; ///< rad, per joint connection, any number of turns
-  std::vector<Mat3> joint_rotation;     ///< per joint, of both kinds
-  std::vector<Vec3> joint_turn;         ///< rad, per joint: sum of the rotation increments, on which moments do work
-  double load_factor = 0;               ///< multiplies proportional loads and prescribed motions
+  std::vector<double> pair_twist;        ///< rad, per interior vertex, any number of turns
+  std::vector<double> connection_twist;  ///< rad, per joint connection, any number of turns
+  std::vector<Mat3> joint_rotation;      ///< per joint, of both kinds
+  std::vector<Vec3> joint_turn;          ///< rad, per joint: sum of the rotation increments, on which moments do work
+  double load_factor = 0;                ///< multiplies proportional loads and prescribed motions
 
   Vec3 position(int node) const { return q.segment<3>(3 * node); }
 };

@@ -30,7 +30,9 @@
 namespace lissom {
 
 template <class E>
-concept HasFastPath = requires { typename E::Lane; };
+concept HasFastPath = requires {
+  typename E::Lane;
+};
 
 /// Up to this many rest quantities are differentiated in one go.
 inline constexpr int kRestAtOnce = 10;

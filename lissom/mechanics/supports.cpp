@@ -41,8 +41,7 @@ void Supports::prescribed_increment(const System& system, const State& state, do
   for (const HeldPosition& held : positions_) {
     const int at = system.layout.position(held.node);
     const Mat3 rotation = rotation_from_vector(load_factor * held.turn);
-    const Vec3 target =
-        system.structure.nodes[held.node] + load_factor * held.move + rotation * held.arm - held.arm;
+    const Vec3 target = system.structure.nodes[held.node] + load_factor * held.move + rotation * held.arm - held.arm;
     dq.segment<3>(at) = masked(at, target - state.q.segment<3>(at));
   }
   for (const HeldRotation& held : rotations_) {

@@ -47,8 +47,8 @@ class Supports {
   struct HeldPosition {
     int node;
     Vec3 move = Vec3::Zero();
-    Vec3 arm = Vec3::Zero();  ///< m, from the pivot at rest, when turned
-    Vec3 turn = Vec3::Zero(); ///< rad at load factor 1
+    Vec3 arm = Vec3::Zero();   ///< m, from the pivot at rest, when turned
+    Vec3 turn = Vec3::Zero();  ///< rad at load factor 1
   };
   struct HeldRotation {
     int joint;
@@ -56,7 +56,7 @@ class Supports {
   };
   struct HeldRoll {
     int edge;
-    Vec3 b = Vec3::Zero();     ///< binormal at rest
+    Vec3 b = Vec3::Zero();  ///< binormal at rest
     Vec3 turn = Vec3::Zero();
   };
 

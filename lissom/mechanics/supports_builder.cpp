@@ -23,8 +23,8 @@ Result<Supports> SupportsBuilder::build(NullMotions null_motions) {
   }
   std::vector<bool> removed = supports_.held_;
   if (!pose_.frozen) {
-    const Status status = remove_null_motions(model_, system_, pose_, where_, supports_.local_axes_,
-                                              null_motions, removed, supports_.removed_);
+    const Status status = remove_null_motions(model_, system_, pose_, where_, supports_.local_axes_, null_motions,
+                                              removed, supports_.removed_);
     if (!status) return status.error();
   }
   supports_.kept_.assign(removed.size(), -1);
@@ -115,10 +115,10 @@ Status SupportsBuilder::hold_edge(const Support& support, int node, const Vec3& 
     supports_.rolls_.push_back({e, edge.drawn.b, turn});
   }
   if (found != 1) {
-    return Error{ErrorCode::kConflict, where + "/at",
-                 "clamp_edge needs a free rod end, but " + std::to_string(found) + " edges meet at node " +
-                     std::to_string(node),
-                 "use hold \"clamp\" here"};
+    return Error{
+        ErrorCode::kConflict, where + "/at",
+        "clamp_edge needs a free rod end, but " + std::to_string(found) + " edges meet at node " + std::to_string(node),
+        "use hold \"clamp\" here"};
   }
   return {};
 }
@@ -142,7 +142,8 @@ Status SupportsBuilder::hold_directions(int first_dof, const std::vector<Vec3>& 
   for (LocalAxes& candidate : supports_.local_axes_) {
     if (candidate.first_dof == first_dof) local = &candidate;
   }
-  const bool untouched = !supports_.held_[first_dof] && !supports_.held_[first_dof + 1] && !supports_.held_[first_dof + 2];
+  const bool untouched =
+      !supports_.held_[first_dof] && !supports_.held_[first_dof + 1] && !supports_.held_[first_dof + 2];
   const auto axis_of = [](const Mat3& axes, const Vec3& direction) {
     for (int i = 0; i < 3; ++i) {
       if (std::abs(axes.col(i).dot(direction)) > 1 - 1e-12) return i;
@@ -154,7 +155,8 @@ Status SupportsBuilder::hold_directions(int first_dof, const std::vector<Vec3>& 
   for (const Vec3& d : directions) aligned = aligned && axis_of(present, d.normalized()) >= 0;
   if (!aligned) {
     if (!untouched || local != nullptr) {
-      return Error{ErrorCode::kConflict, where, "two supports hold the same node along directions that are not at right angles",
+      return Error{ErrorCode::kConflict, where,
+                   "two supports hold the same node along directions that are not at right angles",
                    "hold the node in one support with all its directions"};
     }
     Mat3 axes;

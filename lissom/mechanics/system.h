@@ -15,8 +15,8 @@ namespace lissom {
 struct Connection {
   int joint = -1;
   int edge = -1;
-  int direction = 1;        ///< +1: the edge leaves the joint, -1: it arrives
-  Frame rest;               ///< frame of the connection edge when the joint rotation is the identity
+  int direction = 1;                   ///< +1: the edge leaves the joint, -1: it arrives
+  Frame rest;                          ///< frame of the connection edge when the joint rotation is the identity
   ConnectionWeights<double> weight{};  ///< in shape matching, N m (corotational joints)
 };
 

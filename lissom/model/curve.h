@@ -26,7 +26,7 @@ struct Arc {
   Vec3 centre = Vec3::Zero();  ///< m
   Vec3 start = Vec3::Zero();   ///< m
   Vec3 axis = Vec3::UnitZ();
-  double angle = 0;            ///< rad
+  double angle = 0;  ///< rad
   bool closed = false;
 };
 
@@ -35,8 +35,8 @@ struct Helix {
   Vec3 centre = Vec3::Zero();  ///< m
   Vec3 start = Vec3::Zero();   ///< m
   Vec3 axis = Vec3::UnitZ();
-  double pitch = 0;            ///< m per turn
-  double turns = 0;            ///< negative: left-handed
+  double pitch = 0;  ///< m per turn
+  double turns = 0;  ///< negative: left-handed
 };
 
 using Curve = std::variant<Polyline, Spline, Arc, Helix>;

@@ -11,8 +11,8 @@ constexpr std::string_view kScalingText = "Whether it grows with the load factor
 constexpr std::pair<std::string_view, LoadPath::Follow> kFollows[] = {{"load", LoadPath::Follow::kLoad},
                                                                       {"arc_length", LoadPath::Follow::kArcLength}};
 
-constexpr std::pair<std::string_view, RigidMotion> kRigidMotions[] = {
-    {"remove_neutral", RigidMotion::kRemoveNeutral}, {"remove", RigidMotion::kRemove}};
+constexpr std::pair<std::string_view, RigidMotion> kRigidMotions[] = {{"remove_neutral", RigidMotion::kRemoveNeutral},
+                                                                      {"remove", RigidMotion::kRemove}};
 
 /// true, "9.81 m/s^2" (downwards, along -z), [x, y, z], or an object.
 struct GravityOf {
@@ -110,9 +110,10 @@ void describe(Fields& fields, Seed& seed) {
 
 void describe(Fields& fields, Pose& pose) {
   fields.field("name", pose.name, TextOf{false}, kRequired, "Name of the pose.")
-      .field("rigid_motion", pose.rigid_motion, ChoiceOf<RigidMotion>{kRigidMotions}, kOptional,
-             "Which rigid motions are taken out that no support prevents: those that the loads do not notice, or all on "
-             "which they do no work.")
+      .field(
+          "rigid_motion", pose.rigid_motion, ChoiceOf<RigidMotion>{kRigidMotions}, kOptional,
+          "Which rigid motions are taken out that no support prevents: those that the loads do not notice, or all on "
+          "which they do no work.")
       .field("supports", pose.supports, ListOf<SupportOf>{}, kOptional, "What is held, moved and turned.")
       .field("soft_pins", pose.soft_pins, ListOf<ObjectOf<SoftPin>>{{"soft pin"}}, kOptional,
              "Springs to points in space.")

@@ -12,11 +12,11 @@ namespace lissom {
 
 struct Material {
   std::string name;
-  double youngs_modulus = 0;   ///< Pa
-  double poisson_ratio = 0;    ///< -1 < nu <= 0.5
-  double density = 0;          ///< kg/m^3, 0 allowed (weightless)
+  double youngs_modulus = 0;                                      ///< Pa
+  double poisson_ratio = 0;                                       ///< -1 < nu <= 0.5
+  double density = 0;                                             ///< kg/m^3, 0 allowed (weightless)
   double strain_limit = std::numeric_limits<double>::infinity();  ///< largest strain in use (yield or fatigue)
-  std::string source;          ///< where the numbers come from
+  std::string source;                                             ///< where the numbers come from
 
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }  ///< Pa
 

@@ -57,12 +57,12 @@ struct Natural {
 struct Rod {
   std::string name;
   Curve curve;
-  std::string material;       ///< name in Model::materials or in the library
+  std::string material;  ///< name in Model::materials or in the library
   SectionProfile section;
   MaterialAxes axes;
   Natural natural;
-  int edges = 0;              ///< number of edges; 0: from edge_length
-  double edge_length = 0;     ///< m, target
+  int edges = 0;           ///< number of edges; 0: from edge_length
+  double edge_length = 0;  ///< m, target
 };
 
 /// How rods that meet at a point hold each other.
@@ -82,13 +82,13 @@ struct JointChoice {
 
 struct Model {
   std::string title;
-  std::string source;                 ///< where the description comes from
-  std::vector<Material> materials;    ///< besides the library
+  std::string source;               ///< where the description comes from
+  std::vector<Material> materials;  ///< besides the library
   std::vector<Rod> rods;
   JointKind joint_kind = JointKind::kExplicit;
   JointWeights joint_weights = JointWeights::kEnergy;
-  std::vector<JointChoice> joints;    ///< exceptions from joint_kind
-  double merge_distance = 0;          ///< m, nodes closer than this are one; 0: 1e-6 of the size; negative: never merge
+  std::vector<JointChoice> joints;  ///< exceptions from joint_kind
+  double merge_distance = 0;        ///< m, nodes closer than this are one; 0: 1e-6 of the size; negative: never merge
   TorsionModel torsion = TorsionModel::kSaintVenant;
   std::vector<NamedSet> sets;
   std::vector<Pose> poses;
@@ -96,7 +96,7 @@ struct Model {
   std::vector<Expectation> expectations;
 
   const Material* material(std::string_view name) const;  ///< own first, then the library; null when unknown
-  const Pose* pose(std::string_view name) const;           ///< null when unknown
+  const Pose* pose(std::string_view name) const;          ///< null when unknown
 
   /// Everything that can be said without discretising: names resolve, numbers are possible, statements agree.
   Status validate() const;

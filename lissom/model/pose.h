@@ -31,14 +31,14 @@ struct Support {
   Vec3 move = Vec3::Zero();      ///< m, displacement at load factor 1 (components along free directions are ignored)
   std::optional<double> move_inwards;  ///< m, displacement towards the centroid of the set, in addition to `move`
   Vec3 turn_axis = Vec3::UnitZ();
-  double turn_angle = 0;         ///< rad at load factor 1; any number of turns
+  double turn_angle = 0;  ///< rad at load factor 1; any number of turns
 };
 
 /// Soft pin: V = 1/2 stiffness |x - target|^2.
 struct SoftPin {
   Selector at;
-  double stiffness = 0;          ///< N/m
-  std::optional<Vec3> target;    ///< m; where the node is drawn when absent
+  double stiffness = 0;        ///< N/m
+  std::optional<Vec3> target;  ///< m; where the node is drawn when absent
 };
 
 enum class Scaling {
@@ -48,19 +48,19 @@ enum class Scaling {
 
 struct PointForce {
   Selector at;
-  Vec3 force = Vec3::Zero();     ///< N, dead load on each selected node
-  bool shared = false;           ///< true: `force` is the sum over the set, split equally
+  Vec3 force = Vec3::Zero();  ///< N, dead load on each selected node
+  bool shared = false;        ///< true: `force` is the sum over the set, split equally
   Scaling scaling = Scaling::kProportional;
 };
 
 struct PointMoment {
   Selector at;
-  Vec3 moment = Vec3::Zero();    ///< N m, axes fixed in space
+  Vec3 moment = Vec3::Zero();  ///< N m, axes fixed in space
   Scaling scaling = Scaling::kProportional;
 };
 
 struct LineLoad {
-  std::vector<std::string> rods;  ///< empty: all
+  std::vector<std::string> rods;         ///< empty: all
   Vec3 force_per_length = Vec3::Zero();  ///< N per m of rest length, dead
   Scaling scaling = Scaling::kProportional;
 };
@@ -74,22 +74,22 @@ struct Gravity {
 struct LoadPath {
   double from = 0;
   double to = 1;
-  int steps = 10;                ///< recorded states; the solver subdivides on its own
+  int steps = 10;  ///< recorded states; the solver subdivides on its own
   enum class Follow { kLoad, kArcLength } follow = Follow::kLoad;
   bool stop_at_critical = false;
-  bool switch_branch = false;    ///< continue on the bifurcating branch at the first bifurcation
+  bool switch_branch = false;  ///< continue on the bifurcating branch at the first bifurcation
 };
 
 /// A shape to start from instead of the drawn one: smooth sideways bump, for structures that start at a critical point.
 struct Seed {
   Vec3 direction = Vec3::UnitZ();
-  double amplitude = 0;          ///< m, height of a half-sine along each rod (or of a dome over a network)
+  double amplitude = 0;  ///< m, height of a half-sine along each rod (or of a dome over a network)
 };
 
 /// Rigid motions that no support prevents.
 enum class RigidMotion {
   kRemoveNeutral,  ///< taken out where the loads do no work on them, so that nothing could tell one place from another
-  kRemove,       ///< also taken out where the loads balance but prefer one orientation (small-load studies of free parts)
+  kRemove,  ///< also taken out where the loads balance but prefer one orientation (small-load studies of free parts)
 };
 
 struct Pose {

@@ -22,9 +22,9 @@ struct Selector {
   };
   Kind kind = Kind::kAll;
   std::string name;
-  double fraction = -1;                ///< of the rod's rest length, 0 = start, 1 = end
-  Vec3 point = Vec3::Zero();           ///< m
-  double tolerance = 0;                ///< m; 0: half the mean edge length
+  double fraction = -1;                          ///< of the rod's rest length, 0 = start, 1 = end
+  Vec3 point = Vec3::Zero();                     ///< m
+  double tolerance = 0;                          ///< m; 0: half the mean edge length
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m
   std::vector<Selector> parts;
 };

@@ -17,10 +17,10 @@ namespace lissom {
 struct StructureEdge {
   int node0 = -1, node1 = -1;
   int rod = -1;
-  double rest_length = 0;     ///< m
-  Section section;            ///< at the middle of the edge
-  Frame drawn;                ///< material frame of the drawn shape
-  Frame rest;                 ///< material frame of the rest shape; equals `drawn` up to a rigid motion per rod
+  double rest_length = 0;  ///< m
+  Section section;         ///< at the middle of the edge
+  Frame drawn;             ///< material frame of the drawn shape
+  Frame rest;              ///< material frame of the rest shape; equals `drawn` up to a rigid motion per rod
 };
 
 /// An interior vertex of a rod: edge0 arrives, edge1 leaves. Absent where a joint cuts the rod.
@@ -33,8 +33,8 @@ struct StructurePair {
 /// One rod edge held by a joint. Relative rest orientation = rest frame of the edge seen from the joint.
 struct JointConnection {
   int edge = -1;
-  int direction = 1;          ///< +1: the edge leaves the joint in rod direction, -1: it arrives
-  Frame rest;                 ///< frame of the connection edge when the joint rotation is the identity
+  int direction = 1;  ///< +1: the edge leaves the joint in rod direction, -1: it arrives
+  Frame rest;         ///< frame of the connection edge when the joint rotation is the identity
 };
 
 /// A point where rod ends meet, or a rod end or interior node that needs a frame (clamps, moments, prescribed turns).
@@ -47,23 +47,23 @@ struct StructureJoint {
 
 struct StructureRod {
   std::string name;
-  std::string material;       ///< name
-  std::vector<int> nodes;     ///< edges + 1 entries, or as many as edges when closed
+  std::string material;    ///< name
+  std::vector<int> nodes;  ///< edges + 1 entries, or as many as edges when closed
   std::vector<int> edges;
   bool closed = false;
 };
 
 struct Structure {
-  std::vector<Vec3> nodes;               ///< m, drawn positions (n x 3)
+  std::vector<Vec3> nodes;  ///< m, drawn positions (n x 3)
   std::vector<StructureEdge> edges;
   std::vector<StructurePair> pairs;
   std::vector<StructureJoint> joints;
   std::vector<StructureRod> rods;
-  std::vector<int> component;            ///< connected part of each node, 0-based
+  std::vector<int> component;  ///< connected part of each node, 0-based
   int components = 0;
-  double size = 0;                       ///< m, diagonal of the bounding box of the drawn shape
-  double mean_edge_length = 0;           ///< m
-  std::vector<std::string> notes;        ///< remarks worth telling the user (turning angles above 20 degrees, ...)
+  double size = 0;                 ///< m, diagonal of the bounding box of the drawn shape
+  double mean_edge_length = 0;     ///< m
+  std::vector<std::string> notes;  ///< remarks worth telling the user (turning angles above 20 degrees, ...)
 
   int rod_index(std::string_view name) const;  ///< -1 when unknown
 };

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lissom/equilibrium/options.h"
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/equilibrium.h"
+#include "lissom/equilibrium/options.h"
 #include "lissom/motion/natural_modes.h"
 #include "lissom/session/document_file.h"
 #include "lissom/session/paraview.h"

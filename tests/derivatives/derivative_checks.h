@@ -24,10 +24,10 @@ struct Deviation {
 };
 
 struct TermReport {
-  Deviation energy, gradient, hessian;      ///< hand-written against automatic
-  Deviation gradient_by_differences;        ///< automatic gradient against differences of values
-  Deviation hessian_by_differences;         ///< Hessian against differences of fixed-anchor gradients
-  Deviation mixed_by_differences;           ///< mixed block against differences of gradients over rest quantities
+  Deviation energy, gradient, hessian;  ///< hand-written against automatic
+  Deviation gradient_by_differences;    ///< automatic gradient against differences of values
+  Deviation hessian_by_differences;     ///< Hessian against differences of fixed-anchor gradients
+  Deviation mixed_by_differences;       ///< mixed block against differences of gradients over rest quantities
 };
 
 /// Size of a stencil's Hessian, row by column, for a relative comparison that respects the units of the unknowns.
@@ -56,7 +56,8 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
     }
     const MatX h = unit.asDiagonal() * exact.hessian * unit.asDiagonal();
     const VecX g = unit.asDiagonal() * exact.gradient;
-    const double g_scale = std::max(scale_of(g), 1e-3 * scale_of(h)), h_scale = std::max(scale_of(h), 1e-3 * scale_of(g));
+    const double g_scale = std::max(scale_of(g), 1e-3 * scale_of(h)),
+                 h_scale = std::max(scale_of(h), 1e-3 * scale_of(g));
     VecX g_hand(n);
     MatX h_hand = MatX::Zero(n, n);
     for (int i = 0, k = 0; i < n; ++i) {
@@ -65,7 +66,8 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
         h_hand(i, j) = h_hand(j, i) = unit[i] * unit[j] * hessian[at(s, term.hessian_entries(), k)];
       }
     }
-    report.energy.add(VecX::Constant(1, energy[s]), VecX::Constant(1, exact.energy), std::max(std::abs(exact.energy), g_scale));
+    report.energy.add(VecX::Constant(1, energy[s]), VecX::Constant(1, exact.energy),
+                      std::max(std::abs(exact.energy), g_scale));
     report.gradient.add(g_hand, g, g_scale);
     report.hessian.add(h_hand, h, h_scale);
 

@@ -1,7 +1,6 @@
 /// All rod, joint and load energies: derivatives, invariance, and that a wrong one is caught.
 
 #include <gtest/gtest.h>
-
 #include <utility>
 
 #include "lissom/geometry/frame.h"
@@ -158,7 +157,9 @@ TEST_P(Energies, ThreadsChangeNoByte) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Joints, Energies, testing::Values(JointKind::kExplicit, JointKind::kCorotational),
-                         [](const auto& test) { return test.param == JointKind::kExplicit ? "Explicit" : "Corotational"; });
+                         [](const auto& test) {
+                           return test.param == JointKind::kExplicit ? "Explicit" : "Corotational";
+                         });
 
 /// Stretch with a factor missing in one block of its Hessian.
 struct BrokenStretch : RodStretch {

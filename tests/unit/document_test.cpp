@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "lissom/core/file_io.h"
-
-#include "model_bits.h"
+#include "tests/unit/model_bits.h"
 
 // Designated initialisers leave members at their defaults on purpose.
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
