@@ -6,8 +6,8 @@
 
 namespace lissom {
 
-ArcLength::ArcLength(NewtonWorkspace& workspace, const SolveOptions& options, double tolerance, double first_load_step)
-    : workspace_(workspace), options_(options), tolerance_(tolerance), first_load_step_(first_load_step) {
+ArcLength::ArcLength(NewtonWorkspace& workspace, double tolerance, double first_load_step)
+    : workspace_(workspace), tolerance_(tolerance), first_load_step_(first_load_step) {
   // Displacements count relative to the size of the structure, as a root mean square.
   weight_ = workspace.problem().mode_metric / std::pow(workspace.problem().scales.length, 2);
 }

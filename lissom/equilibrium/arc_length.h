@@ -9,7 +9,7 @@ namespace lissom {
 class ArcLength {
  public:
   /// `first_load_step` sets the first arc: that of a load step of this size (its sign is the direction).
-  ArcLength(NewtonWorkspace& workspace, const SolveOptions& options, double tolerance, double first_load_step);
+  ArcLength(NewtonWorkspace& workspace, double tolerance, double first_load_step);
 
   enum class Outcome { kMoved, kStuck };
   /// One step from an equilibrium to the next along the branch.
@@ -24,7 +24,6 @@ class ArcLength {
   double dot(const VecX& a, double la, const VecX& b, double lb) const;
 
   NewtonWorkspace& workspace_;
-  const SolveOptions& options_;
   double tolerance_;
   double first_load_step_;
   double arc_ = 0, direction_ = 0, direction_before_ = 0, extremum_ = 0, last_slope_ = 0, last_load_ = 0;

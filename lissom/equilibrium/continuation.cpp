@@ -177,7 +177,7 @@ bool PathFollower::leave_on_branch(const CriticalPoint& point, double towards, S
 void PathFollower::follow_arc(State state, PathStability stability) {
   record(state, stability);
   const double range = path_.to - path_.from;
-  ArcLength arc(workspace_, options_.solve, tolerance_, range / path_.steps);
+  ArcLength arc(workspace_, tolerance_, range / path_.steps);
   State next;
   while (true) {
     if (context_.cancelled()) {
