@@ -8,6 +8,7 @@
 
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/equilibrium.h"
+#include "lissom/equilibrium/options.h"
 #include "lissom/motion/natural_modes.h"
 #include "lissom/session/document_file.h"
 #include "lissom/session/paraview.h"
