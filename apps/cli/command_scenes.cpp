@@ -4,7 +4,7 @@
 
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
-#include "apps/cli/scene_list.h"
+#include "scenes/scenes.h"
 #include "apps/cli/terminal.h"
 #include "lissom/model/document.h"
 #include "lissom/session/output.h"
@@ -19,7 +19,7 @@ struct Arguments {
 
 int show_scenes(const Arguments& arguments) {
   if (arguments.name.empty()) {
-    for (const Scene& scene : scene_list()) print(fmt::format("{:<20}{}\n", scene.name, scene.description));
+    for (const Scene& scene : scenes()) print(fmt::format("{:<20}{}\n", scene.name, scene.description));
     return kDone;
   }
   const Result<Document> document = read_input("scene:" + arguments.name);

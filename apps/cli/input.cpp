@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "apps/cli/scene_list.h"
+#include "scenes/scenes.h"
 #include "lissom/core/file_io.h"
 #include "lissom/core/nearest_name.h"
 
@@ -16,7 +16,7 @@ Result<Document> read_input(const std::string& input) {
   if (!input.starts_with(kScene)) return read_document_file(input);
   const std::string name = input.substr(kScene.size());
   std::vector<std::string> known;
-  for (const Scene& scene : scene_list()) {
+  for (const Scene& scene : scenes()) {
     if (scene.name == name) return Document{name, {}, scene.make()};
     known.emplace_back(scene.name);
   }

@@ -1,0 +1,44 @@
+#pragma once
+/// Structures that benches measure.
+
+#include <algorithm>
+#include <string_view>
+
+#include "scenes/parts.h"
+#include "scenes/scenes.h"
+
+namespace lissom::networks {
+
+/// A horizontal rod of 1 m, clamped at one end, under a line load under which its tip falls by 0.28 of its length.
+inline Model hanging_cantilever(int nodes) {
+  Model model;
+  Rod rod = scene_models::round_rod("beam", Polyline{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, false}, 0.005, "", nodes - 1);
+  // E I = 8.33e-3 N m^2 with a round section of 5 mm.
+  Material material{"soft", 8.33e-3 / (0.25 * 3.14159265358979 * 6.25e-10), 0.3, 0, 1, "the load case of the comparison"};
+  rod.material = material.name;
+  model.materials.push_back(material);
+  model.rods.push_back(rod);
+  Pose pose;
+  pose.name = "loaded";
+  pose.supports.push_back(scene_models::hold(scene_models::rod_place("beam", 0), SupportKind::kClamp));
+  LineLoad load;
+  load.force_per_length = Vec3(0, 0, -0.0196);
+  pose.line_loads.push_back(load);
+  model.poses.push_back(pose);
+  return model;
+}
+
+/// A sheet of hexagons hung by two opposite sides.
+inline Model hanging_honeycomb(int columns, int rows, int edges) {
+  const ObjLines lines = scene_models::hexagons(0.02, columns, rows);
+  Model model = scene_models::sheet("honeycomb", lines, 0.001, "TPU 92A", edges);
+  model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));
+  return model;
+}
+
+inline Model scene(std::string_view name) {
+  const auto all = scenes();
+  return std::find_if(all.begin(), all.end(), [&](const Scene& s) { return s.name == name; })->make();
+}
+
+}  // namespace lissom::networks

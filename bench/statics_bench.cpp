@@ -1,0 +1,124 @@
+/// Cost of the static solver and its parts: rows of name, metric, value, unit separated by tabs.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "bench/networks.h"
+#include "lissom/equilibrium/newton_workspace.h"
+#include "lissom/equilibrium/solve.h"
+#include "lissom/mechanics/energies.h"
+
+namespace lissom {
+namespace {
+
+double now_ms() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+}
+
+/// Median time of a few repetitions, ms.
+template <class F>
+double median_ms(int repetitions, const F& f) {
+  std::vector<double> times;
+  for (int k = 0; k < repetitions; ++k) {
+    const double begin = now_ms();
+    f();
+    times.push_back(now_ms() - begin);
+  }
+  std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
+  return times[repetitions / 2];
+}
+
+void row(const std::string& name, const char* metric, double value, const char* unit) {
+  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
+}
+
+void measure(const std::string& name, const Model& model, int repetitions) {
+  const Result<System> system = make_system(model);
+  if (!system) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), system.error().text().c_str());
+    return;
+  }
+  const Result<StaticProblem> problem = make_static_problem(model, system.value(), model.poses[0], "/poses/0");
+  if (!problem) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), problem.error().text().c_str());
+    return;
+  }
+  const StaticProblem& p = problem.value();
+  const Context context;
+  NewtonWorkspace workspace(p, context);
+  State state = start_state(p, model.poses[0]);
+  state.load_factor = 1;
+  row(name, "unknowns", p.supports.unknowns(), "");
+  AssemblyBuffers buffers;
+  VecX gradient, free = VecX::Zero(p.supports.unknowns()), increment;
+  std::vector<double> hessian;
+  State trial;
+  row(name, "energy", median_ms(repetitions, [&] { p.potential.value(state, buffers); }), "ms");
+  row(name, "gradient", median_ms(repetitions, [&] { p.potential.gradient(state, gradient, buffers); }), "ms");
+  const double assembly = median_ms(repetitions, [&] { p.potential.hessian(state, gradient, hessian, buffers); });
+  row(name, "hessian", assembly, "ms");
+  workspace.assemble(state);
+  const double factor = median_ms(repetitions, [&] { workspace.factorize(0); });
+  row(name, "factor", factor, "ms");
+  free = -workspace.free_gradient();
+  VecX x;
+  const double back_solve = median_ms(repetitions, [&] { workspace.factor().solve(free, x); });
+  row(name, "solve", back_solve, "ms");
+  workspace.to_increment(x, increment);
+  increment *= 1e-3;
+  // A plain Newton iteration: assemble, factorise, solve, one trial on a straight path with its energy.
+  const double iteration = median_ms(repetitions, [&] {
+    workspace.assemble(state);
+    workspace.factorize(0);
+    free = -workspace.free_gradient();
+    workspace.factor().solve(free, x);
+    if (advance(system.value(), state, increment, trial)) workspace.energy(trial);
+  });
+  row(name, "plain iteration", iteration, "ms");
+  row(name, "plain iteration / (factor + solve)", iteration / (factor + back_solve), "");
+
+  SolveOptions options;
+  options.modes = 0;
+  const State start = start_state(p, model.poses[0]);
+  Equilibrium equilibrium;
+  const double total = median_ms(3, [&] { equilibrium = solve(p, start, 1, options); });
+  row(name, "equilibrium", total, "ms");
+  row(name, "factorizations", equilibrium.factorizations, "");
+  row(name, "settled", equilibrium.verdict == Verdict::kStable ? 1 : 0, "");
+
+  // Worth of each policy: factorizations (negative: not settled) and time without it.
+  const auto without = [&](const char* what, auto change) {
+    SolveOptions changed = options;
+    change(changed);
+    Equilibrium e;
+    const double begin = now_ms();
+    e = solve(p, start, 1, changed);
+    const double elapsed = now_ms() - begin;
+    const bool settled = e.verdict == Verdict::kStable || e.verdict == Verdict::kCritical;
+    row(name, (std::string(what) + ", factorizations").c_str(), settled ? e.factorizations : -e.factorizations, "");
+    row(name, (std::string(what) + ", time").c_str(), elapsed, "ms");
+  };
+  without("straight path", [](SolveOptions& o) { o.path = StepPath::kStraight; });
+  without("second-order path", [](SolveOptions& o) { o.path = StepPath::kSecondOrder; });
+  without("rotating path", [](SolveOptions& o) { o.path = StepPath::kRotating; });
+  without("remembered shift", [](SolveOptions& o) { o.shift = ShiftRule::kRemembered; });
+  without("no expansion", [](SolveOptions& o) { o.expansion = Expansion::kOff; });
+  without("relaxed frames", [](SolveOptions& o) { o.frames = FrameRelaxation::kOn; });
+  without("root finding", [](SolveOptions& o) { o.method = Method::kFindRoot; });
+}
+
+}  // namespace
+}  // namespace lissom
+
+int main() {
+  using namespace lissom;
+  measure("cantilever 1000 nodes", networks::hanging_cantilever(1000), 21);
+  measure("honeycomb 15k", networks::hanging_honeycomb(11, 13, 8), 11);
+  measure("gridshell", networks::scene("gridshell"), 11);
+  measure("hexagon sheet", networks::scene("hexagon_sheet"), 11);
+  return 0;
+}

@@ -1,0 +1,31 @@
+#pragma once
+/// Small pieces that scenes are put together from.
+
+#include <string>
+#include <vector>
+
+#include "lissom/geometry/obj_lines.h"
+#include "lissom/model/model.h"
+
+namespace lissom::scene_models {
+
+/// One straight, spline or other rod with a constant round section.
+Rod round_rod(std::string name, Curve curve, double radius, std::string material, int edges);
+
+Selector rod_place(std::string rod, double fraction);
+Selector box(const Vec3& low, const Vec3& high);
+
+Support hold(Selector at, SupportKind kind);
+
+/// Line networks of one cell shape that fill about width x depth (m), centred at the origin in the x-y plane.
+ObjLines hexagons(double edge, int columns, int rows);
+ObjLines squares(double edge, int columns, int rows);
+ObjLines triangles(double edge, int columns, int rows);
+
+/// A sheet of round rods along these lines (m), one rod per line.
+Model sheet(const std::string& title, const ObjLines& lines, double radius, const std::string& material, int edges);
+
+/// Holds the nodes at both ends of the x range and lets the sheet hang under gravity.
+Pose hanging_pose(const ObjLines& lines, double margin);
+
+}  // namespace lissom::scene_models
