@@ -107,7 +107,8 @@ TEST(Frequencies, DoubleModesOfRoundRodsAreSeparated) {
     EXPECT_NEAR(beam.frequency(modes, {ModeKind::kBending, u}, k), first, 0.01 * first);
     EXPECT_NEAR(beam.frequency(modes, {ModeKind::kBending, v}, k), first, 0.01 * first);
   }
-  const auto turned = separated(beam.system, drawn_state(beam.system), modes, RollInertia::kLumped, {ModeKind::kAny, u});
+  const auto turned =
+      separated(beam.system, drawn_state(beam.system), modes, RollInertia::kLumped, {ModeKind::kAny, u});
   const NaturalMode& mode = turned[find_mode(turned, {ModeKind::kAny, u}, 0)];
   EXPECT_NEAR(mode.share_along(u), 1, 1e-9);
   // Turning keeps modes normalised and orthogonal.
@@ -148,7 +149,8 @@ TEST(Frequencies, UnstableEquilibriumGrows) {
   for (const double factor : {0.5, 1.5}) {
     push.force = Vec3(-factor * critical, 0, 0);
     beam.pose.forces = {push};
-    const StaticProblem problem = make_static_problem(beam.model, beam.system, beam.pose, "", NullMotions::kKeep).value();
+    const StaticProblem problem =
+        make_static_problem(beam.model, beam.system, beam.pose, "", NullMotions::kKeep).value();
     SolveOptions options;
     options.at_saddle = AtSaddle::kStay;
     const Equilibrium e = solve(problem, drawn_state(beam.system), 1, options);
