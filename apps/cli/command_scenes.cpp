@@ -4,10 +4,10 @@
 
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
-#include "scenes/scenes.h"
 #include "apps/cli/terminal.h"
 #include "lissom/model/document.h"
 #include "lissom/session/output.h"
+#include "scenes/scenes.h"
 
 namespace lissom::cli {
 

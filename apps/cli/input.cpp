@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "scenes/scenes.h"
 #include "lissom/core/file_io.h"
 #include "lissom/core/nearest_name.h"
+#include "scenes/scenes.h"
 
 namespace lissom::cli {
 

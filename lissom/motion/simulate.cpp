@@ -15,10 +15,10 @@ namespace {
 
 constexpr MotionVerdictInfo kVerdicts[] = {
     {MotionVerdict::kFinished, "finished", "the motion reached its end", 0},
-    {MotionVerdict::kNoStart, "no_start", "there is no stable equilibrium to start from", 3},
-    {MotionVerdict::kStepLimit, "step_limit", "the allowed number of steps did not reach the end", 4},
-    {MotionVerdict::kStalled, "stalled", "even the smallest step did not converge", 5},
-    {MotionVerdict::kCancelled, "cancelled", "stopped on request", 130},
+    {MotionVerdict::kNoStart, "no_start", "there is no stable equilibrium to start from", 16},
+    {MotionVerdict::kStepLimit, "step_limit", "the allowed number of steps did not reach the end", 12},
+    {MotionVerdict::kStalled, "stalled", "even the smallest step did not converge", 13},
+    {MotionVerdict::kCancelled, "cancelled", "stopped by you; what was played is kept", 15},
 };
 
 constexpr double kSafety = 0.8, kGrow = 1.25, kShrink = 0.2;
