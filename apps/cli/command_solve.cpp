@@ -2,6 +2,7 @@
 
 #include "lissom/session/command_solve.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -22,13 +23,15 @@ struct Arguments {
   RunOptions run;
 };
 
-void line(std::string_view name, const std::string& text) { print(fmt::format("  {:<19}{}\n", name, text)); }
+void line(std::string_view name, const std::string& text) { print(fmt::format("  {:<26}{}\n", name, text)); }
 
 std::string energy_shares(const Equilibrium& e) {
   std::string text;
   for (const EnergyShare& share : e.energy_shares) {
     if (share.energy == 0) continue;
-    text += fmt::format("{}{} {:.4g} mJ", text.empty() ? "" : ", ", share.term, 1e3 * share.energy);
+    std::string term = share.term;
+    std::replace(term.begin(), term.end(), '_', ' ');
+    text += fmt::format("{}{} {:.4g} mJ", text.empty() ? "" : ", ", term, 1e3 * share.energy);
   }
   return text;
 }

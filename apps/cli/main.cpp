@@ -8,7 +8,7 @@ namespace lissom::cli {
 namespace {
 
 /// One entry per command, in the order of the help.
-constexpr AddCommand kCommands[] = {add_solve,  add_path,    add_modes,  add_draw,
+constexpr AddCommand kCommands[] = {add_solve,  add_path,    add_modes,  add_dynamics, add_draw,
                                     add_verify, add_convert, add_schema, add_scenes};
 
 int run(int argc, char** argv) {

@@ -2,6 +2,7 @@
 import csv
 import json
 import math
+import signal
 import xml.etree.ElementTree as ElementTree
 
 import tool
@@ -140,6 +141,52 @@ class Modes(tool.ToolTest):
         self.write("column.lissom", tool.column())
         out, _ = self.run_tool("modes", "column.lissom", "--count", "2", "--at-saddle", "stay", code=11)
         self.assertIn("no vibrations: the materials have no density", out)
+
+
+class Dynamics(tool.ToolTest):
+    def released(self, **more):
+        """The cantilever let go from its loaded shape, for a little more than one period."""
+        document = tool.cantilever(edges=16, force=-0.0002)
+        document["poses"].append({"name": "free", "supports": document["poses"][0]["supports"]})
+        document["motions"] = [{"name": "swing", "start_pose": "loaded", "pose": "free", "duration": 0.6, "step": 0.004,
+                                "record_every": 0.02, **more}]
+        return self.write("beam.lissom", document)
+
+    def test_a_released_rod_swings_without_losing_energy(self):
+        out, _ = self.run_tool("dynamics", self.released(), "--json", "--vtu", "--watch", "beam", "--watch-axis", "y")
+        played = json.loads(out)["motions"][0]
+        self.assertEqual(played["verdict"]["name"], "finished")
+        self.assertLess(played["balance_error"], 0.01)
+        with open(self.folder / "out/beam-swing.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 31)
+        self.assertEqual(float(rows[-1]["time_s"]), 0.6)
+        elastic = [float(row["elastic_energy_J"]) for row in rows]
+        self.assertGreater(elastic[0], 0)
+        self.assertLess(min(elastic), 0.2 * elastic[0])
+        turn = [float(row["angular_momentum_of_beam"]) for row in rows]
+        self.assertTrue(min(turn) < 0 < max(turn))
+        series = ElementTree.parse(self.folder / "out/beam-swing.pvd").findall(".//DataSet")
+        self.assertEqual(len(series), 31)
+        for name in ("beam-swing.json", "beam-swing-energy.svg", "beam-swing-turning.svg", "beam-swing-strip.svg"):
+            self.assertTrue((self.folder / "out" / name).exists(), name)
+
+    def test_ctrl_c_keeps_what_was_played(self):
+        process = self.start("dynamics", self.released(duration=500, step=0.0005, adaptive=False), "--progress")
+        for _ in range(3):
+            process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=300)
+        self.assertEqual(process.returncode, 15, out + err)
+        with open(self.folder / "out/beam-swing.csv", encoding="utf-8") as file:
+            self.assertGreater(len(list(csv.DictReader(file))), 0)
+
+    def test_wrong_use(self):
+        self.write("still.lissom", tool.cantilever())
+        _, err = self.run_tool("dynamics", "still.lissom", code=3)
+        self.assertIn("no motion", err)
+        _, err = self.run_tool("dynamics", self.released(), "--motion", "swin", code=3)
+        self.assertIn('did you mean "swing"', err)
 
 
 class Files(tool.ToolTest):

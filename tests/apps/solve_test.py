@@ -171,7 +171,7 @@ class WrongUse(tool.ToolTest):
     def test_help(self):
         out, _ = self.run_tool("--help")
         self.assertIn("Exit codes", out)
-        commands = ["solve", "path", "modes", "draw", "verify", "convert", "schema", "scenes"]
+        commands = ["solve", "path", "modes", "dynamics", "draw", "verify", "convert", "schema", "scenes"]
         for command in commands:
             self.assertIn(command, out)
             text, _ = self.run_tool(command, "--help")
