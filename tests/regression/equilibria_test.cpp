@@ -1,13 +1,12 @@
 /// Whole solves: verdicts, stability, determinism, and changes of the description that must not change the result.
 
-#include "lissom/equilibrium/solve.h"
-
 #include <algorithm>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <utility>
 
 #include "lissom/equilibrium/continuation.h"
+#include "lissom/equilibrium/solve.h"
 #include "scenes/parts.h"
 #include "scenes/scenes.h"
 
