@@ -18,7 +18,7 @@ struct ConnectionWeights {
 /// kEnergy: the weights with which sum w_t |t - R tbar|^2 + w_n |n - R nbar|^2 + w_b |b - R bbar|^2 resists a small
 /// rotation about n, b, t with B_1, B_2, beta over the half edge, as the springs of the joint do. The matched rotation is
 /// then, to first order, the one that minimises their energy: the joint is as soft as an explicit one. Tangents and
-/// normals alone (erratum E10) can match two of the three stiffnesses only; see docs/energies/joint_corotational.md.
+/// normals alone (erratum E10) can match two of the three stiffnesses only; see docs/energies/joints.md.
 template <class T>
 ConnectionWeights<T> connection_weights(const T* rest, JointWeights kind) {
   if (kind == JointWeights::kThesis) return {rest[kBend1] + rest[kBend2], rest[kTwistStiffness], T(0)};
