@@ -86,7 +86,8 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
 
     const VecX rest = term.rest(s);
     for (int r = 0; r < term.rests(); ++r) {
-      const double size = std::max(std::abs(rest[r]), 1e-2), h_rest = 1e-5 * size;
+      // Relative to the quantity where it has a size, so that the step stays small against stiffnesses of 1e-5 N m^2.
+      const double size = std::abs(rest[r]) > 1e-8 ? std::abs(rest[r]) : 1e-2, h_rest = 1e-5 * size;
       VecX changed = rest;
       changed[r] = rest[r] + h_rest;
       term.set_rest(s, changed);
