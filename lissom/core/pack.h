@@ -39,7 +39,7 @@ class Pack {
   }
 
   // Stored as an array, so that single lanes are ordinary stores; the copies above become vector loads.
-  alignas(kLanes * sizeof(double)) double lane_[kLanes] = {};
+  double lane_[kLanes] = {};
 };
 
 inline Pack sqrt(const Pack& x) {

@@ -17,7 +17,7 @@ Mat3 cross_covariance(const System& system, int joint, const std::vector<EdgeSta
 
 bool is_degenerate(const Mat3& covariance) {
   const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vec3 s = svd.singularValues();
+  const Vec3& s = svd.singularValues();
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   return s[1] + sign * s[2] <= 1e-6 * s.sum();
 }

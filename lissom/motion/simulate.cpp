@@ -87,8 +87,7 @@ class Run {
  public:
   Run(const StaticProblem& problem, const MotionCase& motion, const LoadHistory& history, Monitors& monitors,
       const MotionOptions& options, const Context& context)
-      : problem_(problem),
-        motion_(motion),
+      : motion_(motion),
         history_(history),
         monitors_(monitors),
         options_(options),
@@ -183,7 +182,6 @@ class Run {
     return std::move(result_);
   }
 
-  const StaticProblem& problem_;
   const MotionCase& motion_;
   const LoadHistory& history_;
   Monitors& monitors_;

@@ -128,7 +128,7 @@ Result<std::vector<double>> measure(Study& study, const Expectation& e, const st
   const Result<std::vector<double>> factors = refinements(study.model(), e, where);
   if (!factors) return factors.error();
 
-  const auto at_resolutions = [&](const Selector& at, std::vector<int> in) -> Result<double> {
+  const auto at_resolutions = [&](const Selector& at, const std::vector<int>& in) -> Result<double> {
     std::vector<double> values;
     for (const double refine : factors.value()) {
       const Result<double> value = quantity.measure({study, e, at, in, refine, where});
