@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "lissom/core/types.h"
+
 namespace lissom {
 
 class Pack {
  public:
-  static constexpr int kLanes = 4;
+  static constexpr int kLanes = lissom::kLanes;
 
   Pack() = default;
   Pack(double x) : lane_{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs
@@ -31,8 +33,9 @@ class Pack {
 
  private:
   typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
-  explicit Pack(Lanes lanes) { std::memcpy(lane_, &lanes, sizeof lane_); }
-  Lanes lanes() const {
+  // Always inlined: a call would pass the vector differently in sources compiled for other processors.
+  [[gnu::always_inline]] explicit Pack(Lanes lanes) { std::memcpy(lane_, &lanes, sizeof lane_); }
+  [[gnu::always_inline]] Lanes lanes() const {
     Lanes lanes;
     std::memcpy(&lanes, lane_, sizeof lane_);
     return lanes;

@@ -12,4 +12,7 @@ using Mat3 = Eigen::Matrix3d;
 using VecX = Eigen::VectorXd;
 using MatX = Eigen::MatrixXd;
 
+/// How many stencils are computed at once.
+inline constexpr int kLanes = 4;
+
 }  // namespace lissom

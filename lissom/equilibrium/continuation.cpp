@@ -82,7 +82,8 @@ PathResult PathFollower::run(const State& start) {
     return end(PathEnd::kBadStart, "the start shape has no finite energy");
   }
   std::vector<IterationRecord> records;
-  if (move_to_load(workspace_, state, path_.from, tolerance_, options_.solve, records) < 0) {
+  if (move_to_load(workspace_, state, path_.from, tolerance_, options_.solve, options_.solve.max_iterations, records)
+          .verdict != Verdict::kStable) {
     return end(PathEnd::kBadStart, "the prescribed places at the start of the path cannot be reached");
   }
   // A path starts in a stable shape if there is one near; the branch is then followed wherever it leads.
@@ -163,7 +164,9 @@ bool PathFollower::leave_on_branch(const CriticalPoint& point, double towards, S
     const VecX step = (size / std::max(turn, 1e-300)) * point.mode.shape;
     if (!advance(system, point.state, step, sideways)) continue;
     std::vector<IterationRecord> records;
-    if (move_to_load(workspace_, sideways, towards, tolerance_, options_.solve, records) < 0) continue;
+    const Descent moved =
+        move_to_load(workspace_, sideways, towards, tolerance_, options_.solve, options_.solve.max_iterations, records);
+    if (moved.verdict != Verdict::kStable) continue;
     const Descent descent =
         minimize(workspace_, sideways, tolerance_, options_.solve, options_.solve.max_iterations, records);
     if (descent.verdict != Verdict::kStable) continue;

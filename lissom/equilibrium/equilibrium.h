@@ -69,7 +69,8 @@ struct Equilibrium {
   int iterations = 0;
   int factorizations = 0;  ///< all attempted, stability check included
   int negative_modes = 0;
-  double energy = 0;  ///< J
+  bool start_smoothed = false;  ///< the start was crumpled (start_smoothing.h)
+  double energy = 0;            ///< J
   std::vector<EnergyShare> energy_shares;
   std::vector<Mode> modes;  ///< lowest, ascending
   std::vector<WorstElement> worst;

@@ -19,9 +19,9 @@ Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, con
                  int max_iterations, std::vector<IterationRecord>& records);
 
 /// Brings prescribed unknowns and loads of `state` to `load_factor`: steps of linear prediction, small enough in turns and
-/// strains that the structure can follow, each but the last one relaxed roughly. Returns the number of iterations, or -1
-/// when it cannot go on. Loads alone are set at once.
-int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, double tolerance,
-                 const SolveOptions& options, std::vector<IterationRecord>& records);
+/// strains that the structure can follow, each but the last one relaxed roughly. Loads alone are set at once. kStable
+/// stands for "arrived"; the residual is not looked at.
+Descent move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, double tolerance,
+                     const SolveOptions& options, int max_iterations, std::vector<IterationRecord>& records);
 
 }  // namespace lissom

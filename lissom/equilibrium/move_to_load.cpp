@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lissom/equilibrium/minimizer.h"
@@ -12,33 +13,58 @@ namespace lissom {
 namespace {
 
 constexpr double kMostStrain = 5e-3;  // change of axial strain in one step
-constexpr int kMostSteps = 2000;
+constexpr double kStrained = 0.02;    // axial strain of a start that is relaxed before it is moved
 constexpr int kRoughIterations = 15;
 constexpr double kRoughTolerance = 1e4;  // times the final one
 
+double largest_strain(const System& system, const State& state) {
+  double largest = 0;
+  for (int e = 0; e < system.edge_count(); ++e) {
+    largest = std::max(largest, std::abs(state.edges[e].length / system.rest.edges[e].length - 1));
+  }
+  return largest;
+}
+
 }  // namespace
 
-int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, double tolerance,
-                 const SolveOptions& options, std::vector<IterationRecord>& records) {
+Descent move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, double tolerance,
+                     const SolveOptions& options, int max_iterations, std::vector<IterationRecord>& records) {
   const StaticProblem& problem = workspace.problem();
   const System& system = workspace.system();
-  const bool straight = options.path == StepPath::kStraight || options.path == StepPath::kSecondOrder;
+  Descent result;
+  const auto end = [&](Verdict verdict) {
+    result.verdict = verdict;
+    return result;
+  };
+  // Roughly; false when there is no going on from where it ends.
+  const auto relax = [&](int most) {
+    const int left = std::min(most, max_iterations - result.iterations);
+    const Descent rough = minimize(workspace, state, kRoughTolerance * tolerance, options, left, records);
+    result.iterations += rough.iterations;
+    result.verdict = rough.verdict;
+    return rough.verdict != Verdict::kBadStart && rough.verdict != Verdict::kRunaway;
+  };
   ShiftPolicy shift(options.shift);
-  StepPathPolicy path(workspace, straight ? StepPath::kStraight : StepPath::kRotating);
+  std::optional<StepPathPolicy> path;
   State moved;
   VecX local, free, image, d;
-  int iterations = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (;;) {
     const VecX prescribed = problem.supports.prescribed_increment(system, state, load_factor);
     const double farthest = prescribed.size() > 0 ? prescribed.cwiseAbs().maxCoeff() : 0;
     if (farthest < 1e-13 * std::max(1.0, problem.scales.length)) {
       state.load_factor = load_factor;
-      return iterations;
+      return end(Verdict::kStable);
     }
-    if (workspace.context().cancelled()) return iterations;
+    if (!path) {
+      const bool straight = options.path == StepPath::kStraight || options.path == StepPath::kSecondOrder;
+      path.emplace(workspace, straight ? StepPath::kStraight : StepPath::kRotating);
+      if (largest_strain(system, state) > kStrained && !relax(max_iterations)) return result;
+    }
+    if (workspace.context().cancelled()) return end(Verdict::kCancelled);
+    if (result.iterations >= max_iterations) return end(Verdict::kIterationLimit);
     // The free unknowns follow as the tangent predicts: H_ff d_f = -H_fp d_p.
     workspace.assemble(state);
-    if (!shift.factorize(workspace)) return -1;
+    if (!shift.factorize(workspace)) return end(Verdict::kStalled);
     local = prescribed;
     problem.potential.to_local(local);
     multiply(problem.potential.pattern(), workspace.hessian(), local, image);
@@ -47,28 +73,24 @@ int move_to_load(NewtonWorkspace& workspace, State& state, double load_factor, d
     workspace.factor().solve(free, free);
     workspace.to_increment(free, d);
     d += prescribed;
-    if (!d.allFinite()) return -1;
+    if (!d.allFinite()) return end(Verdict::kStalled);
     double a = step_reach(system, state, d, options);
     const double strain = largest_strain(system, state, d);
     if (a * strain > kMostStrain) a = kMostStrain / strain;
-    path.begin(state, d, a);
+    path->begin(state, d, a);
     bool done = false;
     for (int halving = 0; halving < 30; ++halving) {
-      done = path.at(a, moved) && std::isfinite(workspace.energy(moved));
+      done = path->at(a, moved) && std::isfinite(workspace.energy(moved));
       if (done) break;
       a *= 0.5;
     }
-    if (!done) return -1;
+    if (!done) return end(Verdict::kStalled);
     moved.load_factor = a == 1 ? load_factor : state.load_factor + a * (load_factor - state.load_factor);
     std::swap(state, moved);
     shift.learn(workspace);
-    ++iterations;
-    if (a == 1) continue;
-    const Descent rough = minimize(workspace, state, kRoughTolerance * tolerance, options, kRoughIterations, records);
-    iterations += rough.iterations;
-    if (rough.verdict == Verdict::kBadStart) return -1;
+    ++result.iterations;
+    if (a < 1 && !relax(kRoughIterations)) return result;
   }
-  return -1;
 }
 
 }  // namespace lissom

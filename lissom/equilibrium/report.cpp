@@ -110,6 +110,7 @@ void describe(const StaticProblem& problem, NewtonWorkspace& workspace, Equilibr
     case Verdict::kBadStart:
       break;
   }
+  if (result.start_smoothed) result.message += "; the start was crumpled and was smoothed first";
 }
 
 }  // namespace lissom

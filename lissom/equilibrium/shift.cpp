@@ -16,8 +16,12 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
   shift_ = next_;
   for (int attempt = 0; attempt < 40; ++attempt) {
     const FactorReport report = workspace.factorize(shift_);
-    if (report.positive_definite) return true;
-    double proposal = std::max(4 * shift_, 1e-7);
+    if (report.positive_definite) {
+      if (shift_ > 0) worked_ = shift_;
+      return true;
+    }
+    // What was needed last is a better guess than the smallest of all.
+    double proposal = std::max({4 * shift_, 0.1 * worked_, 1e-7});
     if (rule_ == ShiftRule::kEigenvalue && report.complete && report.negative_pivots > 0 && attempt < 3) {
       // The factor exists though indefinite: iterating with it finds the eigenvalues next to -shift, the negative ones
       // among them; the lowest of these tells how much is missing.

@@ -8,6 +8,7 @@
 #include "lissom/equilibrium/report.h"
 #include "lissom/equilibrium/root_finder.h"
 #include "lissom/equilibrium/stability.h"
+#include "lissom/equilibrium/start_smoothing.h"
 #include "lissom/equilibrium/step_path.h"
 
 namespace lissom {
@@ -73,10 +74,14 @@ Equilibrium solve(const StaticProblem& problem, const State& start, double load_
     return std::move(result);
   };
   if (!start.q.allFinite()) return finish(Verdict::kBadStart);
-  const int moves = move_to_load(workspace, result.state, load_factor, result.tolerance, options, result.records);
-  if (moves < 0) return finish(Verdict::kStalled);
-  if (context.cancelled()) return finish(Verdict::kCancelled);
-  result.iterations = moves;
+  if (is_crumpled(workspace.system(), result.state)) {
+    result.state = smoothed_start(problem, result.state);
+    result.start_smoothed = true;
+  }
+  const Descent moves = move_to_load(workspace, result.state, load_factor, result.tolerance, options,
+                                     options.max_iterations, result.records);
+  result.iterations = moves.iterations;
+  if (moves.verdict != Verdict::kStable) return finish(moves.verdict);
 
   for (int escapes = 0;; ++escapes) {
     const int left = options.max_iterations - result.iterations;

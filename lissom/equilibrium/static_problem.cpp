@@ -21,12 +21,12 @@ double largest_load(const System& system, const Potential& potential) {
   VecX load = VecX::Zero(system.layout.size());
   for (const auto& term : potential.terms()) {
     if (term->has_hessian()) continue;
-    buffers.gradient.resize(static_cast<size_t>(term->groups()) * Pack::kLanes * term->dofs());
+    buffers.gradient.resize(static_cast<size_t>(term->groups()) * kLanes * term->dofs());
     term->derivatives(state, 0, term->groups(), buffers.gradient.data(), nullptr);
     for (int s = 0; s < term->stencils(); ++s) {
       for (int i = 0; i < term->dofs(); ++i) {
         load[term->indices()[s * term->dofs() + i]] +=
-            buffers.gradient[((s / Pack::kLanes) * term->dofs() + i) * Pack::kLanes + s % Pack::kLanes];
+            buffers.gradient[((s / kLanes) * term->dofs() + i) * kLanes + s % kLanes];
       }
     }
   }

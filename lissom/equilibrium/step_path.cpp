@@ -4,69 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "lissom/core/linear_solver.h"
 #include "lissom/geometry/frame.h"
 
 namespace lissom {
 
-/// Positions that come closest to given edge vectors: min sum (1 / l) |x1 - x0 - e|^2, its matrix factored once.
-struct StepPathPolicy::Fit {
-  explicit Fit(const StaticProblem& problem) {
-    const System& system = *problem.system;
-    std::vector<int> groups, offsets{0};
-    for (const StructureEdge& edge : system.structure.edges) {
-      for (const int node : {edge.node0, edge.node1}) {
-        for (int i = 0; i < 3; ++i) groups.push_back(3 * node + i);
-      }
-      offsets.push_back(static_cast<int>(groups.size()));
-    }
-    positions = 3 * system.layout.nodes();
-    const SparsePattern pattern(positions, groups, offsets);
-    // Held unknowns are along local axes; turn the blocks there.
-    std::vector<Mat3> axes(system.layout.nodes(), Mat3::Identity());
-    for (const LocalAxes& local : problem.potential.local_axes()) {
-      if (local.first_dof < positions) axes[local.first_dof / 3] = local.axes;
-    }
-    std::vector<double> values(pattern.nonzeros(), 0);
-    for (int e = 0; e < system.edge_count(); ++e) {
-      const StructureEdge& edge = system.structure.edges[e];
-      const double w = 1 / system.rest.edges[e].length;
-      weight.push_back(w);
-      const Mat3 mixed = -w * axes[edge.node1].transpose() * axes[edge.node0];
-      for (int i = 0; i < 3; ++i) {
-        values[pattern.diagonal_slot(3 * edge.node0 + i)] += w;
-        values[pattern.diagonal_slot(3 * edge.node1 + i)] += w;
-        for (int j = 0; j < 3; ++j) values[pattern.slot(3 * edge.node1 + i, 3 * edge.node0 + j)] += mixed(i, j);
-      }
-    }
-    kept.assign(positions, -1);
-    for (int i = 0; i < positions; ++i) {
-      if (problem.supports.kept()[i] >= 0) kept[i] = unknowns++;
-    }
-    // A touch of anchoring where supports leave the fit undetermined.
-    for (int i = 0; i < positions; ++i) {
-      values[pattern.diagonal_slot(i)] *= 1 + 1e-9;
-    }
-    solver.emplace(pattern, kept);
-    usable = solver->factorize(values).positive_definite;
-    b.resize(unknowns);
-  }
-
-  int positions = 0, unknowns = 0;
-  std::vector<double> weight;
-  std::vector<int> kept;
-  std::optional<LinearSolver> solver;
-  bool usable = false;
-  VecX b, x, force;
-};
-
 StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path) : workspace_(workspace), path_(path) {
   if (path == StepPath::kRotating || path == StepPath::kSecondOrderRotating) {
-    fit_ = std::make_unique<Fit>(workspace.problem());
+    fit_.emplace(workspace.problem());
+    if (!fit_->factorize(0)) fit_.reset();
   }
 }
-
-StepPathPolicy::~StepPathPolicy() = default;
 
 void StepPathPolicy::begin(const State& state, const VecX& d, double reach) {
   state_ = &state;
@@ -106,16 +53,14 @@ void StepPathPolicy::second_order(double reach) {
 bool StepPathPolicy::at(double a, State& trial) {
   increment_ = a * d_;
   if (has_p_) increment_ += a * a * p_;
-  if (fit_ != nullptr && fit_->usable) {
-    if (!rotate(a, increment_)) return false;
-  }
+  // Positions closest to edges that turn at their length: min sum (1 / l) |x1 - x0 - wanted|^2.
+  if (fit_ && !rotate(a, increment_)) return false;
   return advance(workspace_.system(), *state_, increment_, trial, workspace_.context().threads);
 }
 
 bool StepPathPolicy::rotate(double a, VecX& increment) {
   const System& system = workspace_.system();
-  Fit& fit = *fit_;
-  fit.force = VecX::Zero(increment.size());
+  pull_.setZero(increment.size());
   for (int e = 0; e < system.edge_count(); ++e) {
     const StructureEdge& edge = system.structure.edges[e];
     const EdgeState& now = state_->edges[e];
@@ -128,22 +73,12 @@ bool StepPathPolicy::rotate(double a, VecX& increment) {
     if (!(length > 0.1 * now.length)) return false;
     const Vec3 wanted = length * (rotation_from_vector(turn) * now.t);
     // Residual of the fit at the straight trial.
-    const Vec3 pull = fit.weight[e] * (wanted - (now.length * now.t + linear));
-    fit.force.segment<3>(3 * edge.node1) += pull;
-    fit.force.segment<3>(3 * edge.node0) -= pull;
+    const Vec3 pull = fit_->weights()[e] * (wanted - (now.length * now.t + linear));
+    pull_.segment<3>(3 * edge.node1) += pull;
+    pull_.segment<3>(3 * edge.node0) -= pull;
   }
-  const Potential& potential = workspace_.problem().potential;
-  potential.to_local(fit.force);
-  for (int i = 0; i < fit.positions; ++i) {
-    if (fit.kept[i] >= 0) fit.b[fit.kept[i]] = fit.force[i];
-  }
-  fit.solver->solve(fit.b, fit.x);
-  fit.force.setZero();
-  for (int i = 0; i < fit.positions; ++i) {
-    if (fit.kept[i] >= 0) fit.force[i] = fit.x[fit.kept[i]];
-  }
-  potential.to_global(fit.force);
-  increment += fit.force;
+  fit_->solve(pull_, fitted_);
+  increment += fitted_;
   return true;
 }
 

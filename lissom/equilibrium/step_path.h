@@ -2,9 +2,9 @@
 /// The path that a trial step follows [convergence 3, 4]. On straight lines edges that turn are stretched, and thin rods
 /// are so stiff in stretch that only tiny steps survive; these paths keep lengths to second order or to all orders.
 
-#include <memory>
 #include <optional>
 
+#include "lissom/equilibrium/edge_laplacian.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/options.h"
 
@@ -13,7 +13,6 @@ namespace lissom {
 class StepPathPolicy {
  public:
   StepPathPolicy(NewtonWorkspace& workspace, StepPath path);
-  ~StepPathPolicy();
 
   /// Prepares the path of step d (global axes) from `state`; the factor of the workspace is the one that gave d.
   /// `reach` is the largest fraction that will be tried.
@@ -23,8 +22,6 @@ class StepPathPolicy {
   [[nodiscard]] bool at(double a, State& trial);
 
  private:
-  struct Fit;
-
   void second_order(double reach);
   bool rotate(double a, VecX& increment);
 
@@ -35,7 +32,8 @@ class StepPathPolicy {
   bool has_p_ = false;
   VecX forward_, backward_, free_, moved_gradient_;
   State probe_;
-  std::unique_ptr<Fit> fit_;
+  VecX pull_, fitted_;
+  std::optional<EdgeLaplacian> fit_;
 };
 
 /// Gradient at `moved` of the energy anchored at `anchor`, with `moved` = anchor advanced by dq [mathematics 1.8]: the

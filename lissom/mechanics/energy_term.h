@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "lissom/core/pack.h"
+#include "lissom/core/types.h"
 #include "lissom/mechanics/state.h"
 
 namespace lissom {
@@ -21,7 +21,7 @@ struct StencilDerivatives {
   VecX rest_gradient;  ///< rests: derivative of the energy by the rest quantities
 };
 
-/// Stencils are processed in groups of Pack::kLanes; entry e of stencil s of a block array with n entries per stencil
+/// Stencils are processed in groups of kLanes; entry e of stencil s of a block array with n entries per stencil
 /// sits at ((s / kLanes) * n + e) * kLanes + s % kLanes. Lanes beyond the last stencil hold copies and are not used.
 class EnergyTerm {
  public:
@@ -35,7 +35,7 @@ class EnergyTerm {
   virtual bool has_hessian() const = 0;              ///< false: linear in the unknowns
   virtual std::span<const int> indices() const = 0;  ///< (stencils x dofs) global unknowns
 
-  int groups() const { return (stencils() + Pack::kLanes - 1) / Pack::kLanes; }
+  int groups() const { return (stencils() + kLanes - 1) / kLanes; }
   int hessian_entries() const { return dofs() * (dofs() + 1) / 2; }
 
   /// Energy of every stencil of the groups [begin, end).

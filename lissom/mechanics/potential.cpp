@@ -8,7 +8,6 @@ namespace lissom {
 
 namespace {
 
-constexpr int kLanes = Pack::kLanes;
 constexpr int kGroupGrain = 64;
 constexpr int kGatherGrain = 8192;
 constexpr int kSumChunk = 256;

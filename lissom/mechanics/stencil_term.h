@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "lissom/core/dual.h"
+#include "lissom/core/pack.h"
 #include "lissom/mechanics/energy_term.h"
 
 namespace lissom {
@@ -133,7 +134,6 @@ class StencilTerm final : public EnergyTerm {
   }
 
  private:
-  static constexpr int kLanes = Pack::kLanes;
   static constexpr int kRestChunk = E::kRest <= kRestAtOnce ? E::kRest : 5;
 
   static constexpr int dual_size() {

@@ -46,11 +46,11 @@ void Integrator::split_loads() {
     for (const auto& term : problem_.potential.terms()) {
       if (term->has_hessian()) continue;
       const int n = term->dofs();
-      buffers_.gradient.resize(static_cast<size_t>(term->groups()) * Pack::kLanes * n);
+      buffers_.gradient.resize(static_cast<size_t>(term->groups()) * kLanes * n);
       term->derivatives(state, 0, term->groups(), buffers_.gradient.data(), nullptr);
       for (int s = 0; s < term->stencils(); ++s) {
         for (int i = 0; i < n; ++i) {
-          const size_t place = static_cast<size_t>((s / Pack::kLanes) * n + i) * Pack::kLanes + s % Pack::kLanes;
+          const size_t place = static_cast<size_t>((s / kLanes) * n + i) * kLanes + s % kLanes;
           load[term->indices()[s * n + i]] -= buffers_.gradient[place];
         }
       }

@@ -47,7 +47,8 @@ TEST(FloatingPoint, SmallNumbersAreNotFlushedToZero) {
 }
 
 TEST(Layout, DoesNotDependOnTheInstructionSet) {
-  EXPECT_EQ(EIGEN_MAX_ALIGN_BYTES, 16);
+  EXPECT_EQ(EIGEN_DEFAULT_ALIGN_BYTES, 64);
+  EXPECT_EQ(EIGEN_MAX_STATIC_ALIGN_BYTES, 16);
   EXPECT_EQ(alignof(Eigen::Vector4d), 16u);
   EXPECT_EQ(alignof(Eigen::Matrix4d), 16u);
   EXPECT_EQ(sizeof(Vec3), 3 * sizeof(double));
