@@ -65,6 +65,7 @@ Equilibrium solve(const StaticProblem& problem, const State& start, double load_
                   const Context& context) {
   Equilibrium result;
   result.state = start;
+  result.records.reserve(std::clamp(options.max_iterations, 1, 1024));
   NewtonWorkspace workspace(problem, context);
   result.tolerance = std::max(options.tolerance * problem.scales.force, 2 * problem.scales.rounding);
   const auto finish = [&](Verdict verdict) {

@@ -38,9 +38,9 @@ Status SupportsBuilder::apply(const Support& support, const std::vector<int>& no
   Vec3 centre = Vec3::Zero();
   for (const int node : nodes) centre += system_.structure.nodes[node] / static_cast<double>(nodes.size());
   for (const int node : nodes) {
-    Vec3 move = support.move;
+    const Vec3 inwards = centre - system_.structure.nodes[node];
+    Vec3 move = support.move + support.shrink * inwards;
     if (support.move_inwards) {
-      const Vec3 inwards = centre - system_.structure.nodes[node];
       if (inwards.norm() > 0) move += *support.move_inwards * inwards.normalized();
     }
     Status status;

@@ -114,6 +114,7 @@ struct SupportEntry {
   std::optional<Vec3> normal;
   Vec3 move = Vec3::Zero();
   std::optional<double> move_inwards;
+  double shrink = 0;
   std::optional<TurnEntry> turn;
 };
 
@@ -127,6 +128,10 @@ void describe(Fields& fields, SupportEntry& support) {
       .field("move", support.move, VectorOf{Measure::kLength}, kOptional, "Displacement at load factor 1.")
       .field("move_inwards", support.move_inwards, NumberOf{Measure::kLength}, kOptional,
              "Displacement towards the centroid of the held nodes at load factor 1, in addition to move.")
+      .field(
+          "shrink", support.shrink, NumberOf{Measure::kRatio}, kOptional,
+          "Share by which the held nodes come closer to their centroid at load factor 1, such as 2 %; in addition to "
+          "move.")
       .field("turn", support.turn, ObjectOf<TurnEntry>{"turn"}, kOptional, "Turn of the held frames.");
 }
 
@@ -156,6 +161,7 @@ void SupportOf::read(Reader& reader, const JsonValue& json, Support& support) co
   if (entry.normal) support.normal = *entry.normal;
   support.move = entry.move;
   support.move_inwards = entry.move_inwards;
+  support.shrink = entry.shrink;
   if (entry.turn) {
     support.turn_axis = entry.turn->axis;
     support.turn_angle = entry.turn->angle;
@@ -169,6 +175,7 @@ JsonValue SupportOf::write(const Support& support) const {
   if (support.kind == SupportKind::kSymmetry) entry.normal = support.normal;
   entry.move = support.move;
   entry.move_inwards = support.move_inwards;
+  entry.shrink = support.shrink;
   if (support.turn_angle != 0 || support.turn_axis != Vec3::UnitZ()) {
     entry.turn = TurnEntry{support.turn_axis, support.turn_angle};
   }

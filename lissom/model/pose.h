@@ -30,6 +30,7 @@ struct Support {
   Vec3 normal = Vec3::UnitZ();   ///< kSymmetry
   Vec3 move = Vec3::Zero();      ///< m, displacement at load factor 1 (components along free directions are ignored)
   std::optional<double> move_inwards;  ///< m, displacement towards the centroid of the set, in addition to `move`
+  double shrink = 0;  ///< share by which the distance to the centroid of the set has become less at load factor 1
   Vec3 turn_axis = Vec3::UnitZ();
   double turn_angle = 0;  ///< rad at load factor 1; any number of turns
 };

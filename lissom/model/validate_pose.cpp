@@ -39,17 +39,22 @@ void check_support(Checker& check, const Support& support, const std::string& wh
   if (support.kind == SupportKind::kSymmetry) check.direction(support.normal, where + "/normal");
   check.finite(support.move, where + "/move");
   if (support.move_inwards) check.finite(*support.move_inwards, where + "/move_inwards");
+  if (!(support.shrink < 1)) {
+    check.fail(ErrorCode::kRange, where + "/shrink", "the held nodes would meet in their middle or pass through it",
+               "use less than 100 %; negative numbers spread them");
+  }
   check.direction(support.turn_axis, where + "/turn/axis");
   check.finite(support.turn_angle, where + "/turn/angle");
   const bool holds_positions = support.kind != SupportKind::kFree || !support.directions.empty();
-  const bool moves = !support.move.isZero(0) || support.move_inwards.value_or(0) != 0;
+  const bool moves = !support.move.isZero(0) || support.move_inwards.value_or(0) != 0 || support.shrink != 0;
+  const std::string moved_by = support.shrink != 0 ? "/shrink" : support.move_inwards ? "/move_inwards" : "/move";
   if (moves && !holds_positions) {
-    check.fail(ErrorCode::kConflict, where + (support.move_inwards ? "/move_inwards" : "/move"),
-               "the support moves but holds no displacement", "hold the directions that it moves along");
+    check.fail(ErrorCode::kConflict, where + moved_by, "the support moves but holds no displacement",
+               "hold the directions that it moves along");
   }
   if (moves && support.kind == SupportKind::kSymmetry) {
-    check.fail(ErrorCode::kConflict, where + (support.move_inwards ? "/move_inwards" : "/move"),
-               "a mirror plane does not move", "hold the direction along its normal instead");
+    check.fail(ErrorCode::kConflict, where + moved_by, "a mirror plane does not move",
+               "hold the direction along its normal instead");
   }
   const bool holds_frame = support.kind == SupportKind::kClamp || support.kind == SupportKind::kClampEdge ||
                            (support.kind == SupportKind::kFree && (!support.rotations.empty() || support.roll));
@@ -78,8 +83,9 @@ void check_contradictions(Checker& check, const std::vector<Support>& supports, 
     for (std::size_t j = 0; j < i; ++j) {
       if (!holds_position(supports[i]) || !holds_position(supports[j]) || !same(supports[i].at, supports[j].at))
         continue;
-      const bool moved_alike =
-          supports[i].move == supports[j].move && supports[i].move_inwards == supports[j].move_inwards;
+      const bool moved_alike = supports[i].move == supports[j].move &&
+                               supports[i].move_inwards == supports[j].move_inwards &&
+                               supports[i].shrink == supports[j].shrink;
       return check.fail(ErrorCode::kConflict, at(where, "supports", i),
                         moved_alike ? "support " + std::to_string(j) + " already holds the position of the same nodes"
                                     : "support " + std::to_string(j) + " moves the same nodes differently",

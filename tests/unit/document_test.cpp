@@ -84,6 +84,7 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(loaded.rigid_motion, RigidMotion::kRemove);
   EXPECT_EQ(loaded.supports.at(0).move, Vec3(0, 0, 0.001));
   EXPECT_EQ(loaded.supports[0].move_inwards, 0.002);
+  EXPECT_EQ(loaded.supports[0].shrink, 0.02);
   EXPECT_EQ(loaded.supports[1].turn_angle, 2 * std::numbers::pi);
   EXPECT_EQ(loaded.supports[3].kind, SupportKind::kSymmetry);
   EXPECT_EQ(loaded.supports[4].kind, SupportKind::kFree);
@@ -212,6 +213,7 @@ class RandomModel {
     Support support{.at = selector(1), .kind = SupportKind::kClamp, .move = vector(), .turn_axis = direction()};
     support.turn_angle = any();
     if (pick(2)) support.move_inwards = any();
+    if (pick(2)) support.shrink = -positive();
     const Vec3 n = direction(), b = n.unitOrthogonal();
     p.supports = {support,
                   {.at = selector(0), .kind = SupportKind::kFree, .directions = {n, b}, .rotations = {b}, .roll = true},

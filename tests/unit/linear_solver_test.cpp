@@ -3,41 +3,13 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <atomic>
-#include <cstddef>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
 #include <thread>
 
 #include "bench/rod_matrices.h"
-
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-#define LISSOM_COUNTS_ALLOCATIONS 1
-// Every request to the C library is counted, those of CHOLMOD and BLAS included.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-}
-namespace {
-std::atomic<long> allocations{0};
-}
-extern "C" {
-void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return __libc_realloc(old, size);
-}
-}
-#endif
+#include "tests/count_allocations.h"
 
 namespace lissom {
 namespace {

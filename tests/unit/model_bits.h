@@ -56,7 +56,7 @@ class ModelBits {
   void add(const JointChoice& x) { add_all(x.at, x.kind); }
   void add(const NamedSet& x) { add_all(x.name, x.nodes); }
   void add(const Support& x) {
-    add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.turn_axis,
+    add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.shrink, x.turn_axis,
             x.turn_angle);
   }
   void add(const SoftPin& x) { add_all(x.at, x.stiffness, x.target); }
