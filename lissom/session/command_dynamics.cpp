@@ -132,6 +132,7 @@ Result<std::string> strip(const Document& document, const System& system, const 
   PictureOptions options;
   options.title = title_of(document, motion);
   options.field = command.field;
+  options.view = command.view;
   options.width = 480 * std::min(count, 4);
   options.height = 560 * ((count + 3) / 4);
   options.forces = Visibility::kHidden;
