@@ -46,7 +46,7 @@ inline Model spider() {
     const double angle = 2 * 3.14159265358979 * k / 9;
     const Vec3 out(std::cos(angle), std::sin(angle), 0), up(0, 0, 1);
     const Polyline limb{{Vec3::Zero(), 0.06 * out + 0.04 * up, 0.14 * out - 0.08 * up}, false};
-    model.rods.push_back(scene_models::round_rod("limb " + std::to_string(k + 1), limb, 0.0012, "TPU 92A", 24));
+    model.rods.push_back(scene_models::round_rod("limb " + std::to_string(k + 1), limb, 0.0006, "TPU 92A", 24));
   }
   Pose pose;
   pose.name = "let go";

@@ -1,4 +1,4 @@
-/// A sphere of rods after figure 3.4 of the thesis: compressed, it first moves straight down and then twists.
+/// A sphere of laths after figure 3.4 of the thesis: pressed, it first moves straight down and then twists.
 
 #include <cmath>
 #include <numbers>
@@ -10,72 +10,91 @@ namespace lissom::scene_models {
 
 namespace {
 
-constexpr double kRadius = 0.08;                    // m, of the sphere
-constexpr double kOut = 0.002, kInPlane = 0.0005;   // m, half-axes across and in the tangent plane
-constexpr int kMeridians = 12, kBands = 5;          // rings are between and around the bands
-constexpr double kLatitude = std::numbers::pi / 3;  // rad, of the first and the last ring
-constexpr double kLean =
-    2 * std::numbers::pi / 180;  // rad of longitude from bottom to top: it decides the sense of the turn
-constexpr double kPress = 0.05;  // m
-constexpr double kTime = 0.5;    // s, in which it is pressed
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadius = 0.08;                            // m, of the sphere
+constexpr double kLatitude = kPi / 3;                       // rad, of the lowest and the highest ring
+constexpr double kOut = 0.002, kInPlane = 0.0008;           // m, half-axes of meridians across and in the tangent plane
+constexpr double kBeltOut = 0.0015, kBeltInPlane = 0.0004;  // m, the same of belts
+constexpr int kMeridians = 12, kStoreys = 3, kEdges = 5;
+constexpr double kBeltDepth = 0.5;         // of a storey: belts zigzag, so that they give when the sphere widens
+constexpr double kLean = 0.2 * kPi / 180;  // rad of longitude from bottom to top: decides the sense of the turn
+constexpr double kPress = 0.06;            // m
+constexpr double kTime = 0.5;              // s, in which it is pressed
 
-Vec3 on_sphere(double longitude, double latitude) {
+/// Place in the grid of meridians and storeys; fractions in between.
+Vec3 grid_point(double meridian, double storey) {
+  const double up = storey / kStoreys;
+  const double longitude = 2 * kPi * meridian / kMeridians + kLean * up, latitude = kLatitude * (2 * up - 1);
   return kRadius *
          Vec3(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
 }
 
-/// Place in the grid of meridians and rings; fractions in between.
-Vec3 grid_point(double meridian, double ring) {
-  const double up = ring / kBands;
-  return on_sphere(2 * std::numbers::pi * meridian / kMeridians + kLean * up, kLatitude * (2 * up - 1));
-}
-
-Rod lath(const std::string& name, double meridian0, double ring0, double meridian1, double ring1, int edges) {
+Rod lath(const std::string& name, const Vec2& from, const Vec2& to, double out, double in_plane) {
   Polyline line;
   MaterialAxes axes;
   axes.kind = MaterialAxes::Kind::kPerPoint;
-  for (int k = 0; k <= edges; ++k) {
-    const double s = static_cast<double>(k) / edges;
-    line.points.push_back(grid_point(meridian0 + s * (meridian1 - meridian0), ring0 + s * (ring1 - ring0)));
+  for (int k = 0; k <= kEdges; ++k) {
+    const Vec2 place = from + static_cast<double>(k) / kEdges * (to - from);
+    line.points.push_back(grid_point(place.x(), place.y()));
     axes.normals.push_back(line.points.back().normalized());
   }
-  Rod rod = round_rod(name, line, kOut, "TPU 92A", edges);
-  rod.section.r_b = {kInPlane};
+  Rod rod = round_rod(name, line, out, "TPU 92A", kEdges);
+  rod.section.r_b = {in_plane};
   rod.axes = axes;
   return rod;
+}
+
+Selector set_named(const std::string& name) {
+  Selector set;
+  set.kind = Selector::Kind::kSet;
+  set.name = name;
+  return set;
+}
+
+Pose pressed_pose() {
+  Pose pose;
+  pose.name = "pressed";
+  // The plate on top is smooth: it takes the wheel down and lets it turn, about a pin in its middle.
+  Support plate = hold(set_named("top"), SupportKind::kFree);
+  plate.directions = {Vec3::UnitZ()};
+  plate.move = Vec3(0, 0, -kPress);
+  Support pin = hold(rod_place("spoke 1", 0), SupportKind::kPin);
+  pin.move = plate.move;
+  pose.supports = {hold(set_named("bottom"), SupportKind::kPin), plate, pin};
+  return pose;
 }
 
 }  // namespace
 
 Model sphere() {
   Model model;
-  model.title = "Sphere of rods under compression";
+  model.title = "Sphere of laths under compression";
   model.source = "after Computational Design of Flexible Structures, figure 3.4";
   Selector top, bottom;
   top.kind = bottom.kind = Selector::Kind::kUnion;
+  const auto add = [&](const Rod& rod, Selector* set) {
+    model.rods.push_back(rod);
+    if (set != nullptr) set->parts.push_back(rod_place(rod.name, -1));
+  };
+  const Vec3 middle(0, 0, grid_point(0, kStoreys).z());
   for (int m = 0; m < kMeridians; ++m) {
-    for (int r = 0; r <= kBands; ++r) {
-      const std::string place = std::to_string(m + 1) + "." + std::to_string(r + 1);
-      model.rods.push_back(lath("ring " + place, m, r, m + 1, r, 4));
-      if (r < kBands) model.rods.push_back(lath("meridian " + place, m, r, m, r + 1, 4));
-      if (r == 0) bottom.parts.push_back(rod_place("ring " + place, -1));
-      if (r == kBands) top.parts.push_back(rod_place("ring " + place, -1));
+    const std::string number = std::to_string(m + 1);
+    for (int s = 0; s < kStoreys; ++s) {
+      add(lath("meridian " + number + "." + std::to_string(s + 1), {m, s}, {m, s + 1}, kOut, kInPlane), nullptr);
     }
+    // Belts point away from the equator.
+    for (int s = 1; s < kStoreys; ++s) {
+      const Vec2 tip(m + 0.5, s + (2 * s < kStoreys ? -kBeltDepth : kBeltDepth));
+      const std::string place = number + "." + std::to_string(s);
+      add(lath("belt " + place + " a", {m, s}, tip, kBeltOut, kBeltInPlane), nullptr);
+      add(lath("belt " + place + " b", tip, {m + 1, s}, kBeltOut, kBeltInPlane), nullptr);
+    }
+    add(lath("bottom " + number, {m, 0}, {m + 1, 0}, kOut, kInPlane), &bottom);
+    add(lath("top " + number, {m, kStoreys}, {m + 1, kStoreys}, kOut, kInPlane), &top);
+    add(round_rod("spoke " + number, Polyline{{middle, grid_point(m, kStoreys)}, false}, kOut, "TPU 92A", 2), &top);
   }
   model.sets = {{"top", top}, {"bottom", bottom}};
-
-  Pose pressed;
-  pressed.name = "pressed";
-  Selector top_set, bottom_set;
-  top_set.kind = bottom_set.kind = Selector::Kind::kSet;
-  top_set.name = "top";
-  bottom_set.name = "bottom";
-  // The plate on top is smooth: it takes the ring down and lets it turn.
-  Support plate = hold(top_set, SupportKind::kFree);
-  plate.directions = {Vec3::UnitZ()};
-  plate.move = Vec3(0, 0, -kPress);
-  pressed.supports = {hold(bottom_set, SupportKind::kPin), plate};
-  model.poses = {pressed};
+  model.poses = {pressed_pose()};
 
   MotionCase press;
   press.name = "press";
@@ -83,7 +102,7 @@ Model sphere() {
   press.duration = kTime;
   press.step = 1e-3;
   press.record_every = kTime / 200;
-  press.error_tolerance = 1e-4;
+  press.error_tolerance = 1e-3;
   press.load_factor = {Vec2(0, 0), Vec2(kTime, 1)};
   model.motions = {press};
   return model;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAxisLength = 0.12, kBladeLength = 0.07;  // m
 constexpr double kSpacing = 0.16;                          // m, between axes
-constexpr double kBladeThin = 0.0008, kBladeWide = 0.003;  // m, half-axes of the blades' section
+constexpr double kBladeThin = 0.0012, kBladeWide = 0.003;  // m, half-axes of the blades' section
 constexpr int kBlades = 4;
 constexpr double kTwist = 5 * std::numbers::pi / 6;  // rad, of the hubs before release
 
@@ -60,7 +60,7 @@ Model windmills(std::span<const WindmillAxis> axes) {
   release.name = "release";
   release.start_pose = "twisted";
   release.pose = "released";
-  release.duration = 0.25;
+  release.duration = 0.3;
   release.step = 1e-3;
   release.record_every = 2e-3;
   release.error_tolerance = 1e-4;
@@ -69,8 +69,10 @@ Model windmills(std::span<const WindmillAxis> axes) {
 }
 
 Model windmill() {
-  const WindmillAxis axes[] = {{"thin", 0.0014}, {"medium", 0.002}, {"thick", 0.0028}};
+  const WindmillAxis axes[] = {{"thin", 0.002}, {"medium", 0.0028}, {"thick", 0.004}};
   Model model = windmills(axes);
+  model.motions[0].duration = 0.1;
+  model.motions[0].record_every = 1e-3;
   model.title = "Windmills with a thin, a medium and a thick axis";
   return model;
 }

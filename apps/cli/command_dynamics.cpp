@@ -72,7 +72,10 @@ void add_dynamics(CLI::App& app, Runner& chosen) {
       ->allow_extra_args(false);
   command->add_option("--watch-axis", arguments->axis, "Axis of the turning, x, y or z [z]")
       ->check(CLI::IsMember({"x", "y", "z"}));
-  command->add_option("--watch-point", arguments->point, "Point on that axis, x y z in mm [the middle of the place as drawn]")->expected(3);
+  command
+      ->add_option("--watch-point", arguments->point,
+                   "Point on that axis, x y z in mm [the middle of the place as drawn]")
+      ->expected(3);
   command->add_option("--panels", arguments->command.panels, "Pictures in the strip; 0: no strip [6]")
       ->check(CLI::Range(0, 64));
   command->add_option("--field", arguments->command.field, "Field that colours them, such as curvature [plain]");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "lissom/core/nearest_name.h"
 #include "lissom/session/dynamics_json.h"
@@ -127,7 +128,11 @@ Result<std::string> strip(const Document& document, const System& system, const 
     const int k = count > 1 ? (last * i + (count - 1) / 2) / (count - 1) : 0;
     const Result<Drawing> drawing = draw_state({document.model, system, result.states[k], nullptr}, pose);
     if (!drawing) return drawing.error();
-    panels.push_back({{{drawing.value(), Layer::Style::kSolid}}, fmt::format("{:.4g} s", result.records[k].time)});
+    const MotionRecord& record = result.records[k];
+    std::string caption = fmt::format("{:.4g} s", record.time);
+    if (record.watches.size() == 1)
+      caption += fmt::format(", turned by {:.3g}°", record.watches[0].turn * 180 / std::numbers::pi);
+    panels.push_back({{{drawing.value(), Layer::Style::kSolid}}, std::move(caption)});
   }
   PictureOptions options;
   options.title = title_of(document, motion);
