@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lissom/core/file_io.h"
+#include "lissom/equilibrium/continuation.h"
 #include "lissom/motion/motion.h"
 #include "lissom/view/chart.h"
 #include "scenes/scene_models.h"
@@ -109,6 +110,20 @@ bool sphere() {
     turn = std::max(turn, std::abs(r.watches[0].turn));
     if (!onset && std::abs(r.watches[0].turn) > 1 * kDegree) onset = r.load_factor * press;
   }
+  // The same without lean, slowly: where the straight way down stops being stable.
+  const Model upright = scene_models::sphere_leaning(0);
+  const Result<System> upright_system = make_system(upright);
+  if (!upright_system) return false;
+  const Result<StaticProblem> problem =
+      make_static_problem(upright, upright_system.value(), upright.poses[0], "/poses/0");
+  if (!problem) return false;
+  const PathResult path = follow_path(problem.value(), start_state(problem.value(), upright.poses[0]),
+                                      {.to = 0.5, .steps = 10, .stop_at_critical = true}, {});
+  if (path.critical.empty()) return std::fprintf(stderr, "sphere: %s\n", path.message.c_str()), false;
+  row("sphere without lean", "pressed down when the straight way becomes unstable",
+      1e3 * press * path.critical[0].load_factor, "mm");
+  row("sphere without lean", "motions that become unstable there",
+      path.critical[0].negative_after - path.critical[0].negative_before, "");
   if (onset) row("sphere", "pressed down when the top has turned by 1 deg", 1e3 * *onset, "mm");
   row("sphere", "largest turn of the top", turn / kDegree, "deg");
   return true;

@@ -26,6 +26,8 @@ Model grid();
 Model helix();
 Model cantilever();
 Model sphere();
+/// `lean`: rad by which the meridians lean. Without any the sphere has no reason to turn one way or the other.
+Model sphere_leaning(double lean);
 Model windmill();
 
 }  // namespace lissom::scene_models

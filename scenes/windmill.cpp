@@ -63,7 +63,7 @@ Model windmills(std::span<const WindmillAxis> axes) {
   release.duration = 0.3;
   release.step = 1e-3;
   release.record_every = 2e-3;
-  release.error_tolerance = 1e-4;
+  release.error_tolerance = 3e-4;
   model.motions = {release};
   return model;
 }

@@ -81,6 +81,8 @@ void add_dynamics(CLI::App& app, Runner& chosen) {
   command->add_option("--field", arguments->command.field, "Field that colours them, such as curvature [plain]");
   command->add_option("--camera", arguments->camera, "Where the strip is seen from: iso, top, front or right [iso]")
       ->check(CLI::IsMember({"iso", "top", "front", "right"}));
+  command->add_option("--width", arguments->command.strip_width, "Width of the strip in pixels [1440]")
+      ->check(CLI::Range(200, 20000));
   command->add_option("-o,--output", arguments->folder, "Folder for results [out, next to the document]");
   command->add_flag("--json", arguments->json, "Print one JSON object (SI units) and nothing else");
   command->add_flag("--vtu", arguments->vtu,
@@ -88,9 +90,9 @@ void add_dynamics(CLI::App& app, Runner& chosen) {
   command->add_option("--picture", arguments->picture, "Format of pictures and charts, svg or png [svg]")
       ->check(CLI::IsMember({"svg", "png"}));
   add_run_options(*command, arguments->run);
-  command->footer(std::string("Writes energies and momenta over time (.csv, .json), a chart of the energies, and a "
-                              "strip of pictures. Ctrl-C\n"
-                              "stops and keeps what has been played.\n\nExample:\n  lissom dynamics scene:windmill "
+  command->footer(std::string("Writes energies and momenta over time (.csv, .json), charts of them, and a strip of "
+                              "pictures. Ctrl-C stops\n"
+                              "and keeps what has been played.\n\nExample:\n  lissom dynamics scene:windmill "
                               "--watch thin --watch thick --watch-axis x\n\n") +
                   exit_codes_text());
   command->callback([arguments, &chosen] { chosen = [arguments] { return play(*arguments); }; });

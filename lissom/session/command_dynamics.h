@@ -23,6 +23,7 @@ struct DynamicsCommand {
   int panels = 6;     ///< of the strip of pictures; 0: no strip
   std::string field;  ///< that colours it; empty: plain
   Viewpoint view = Viewpoint::iso();
+  int strip_width = 1440;  ///< px
   std::filesystem::path folder;
   ParaView vtu = ParaView::kNo;
   ImageFormat picture = ImageFormat::kSvg;
