@@ -1,6 +1,6 @@
 /// What the windmills and the sphere do, in figures: rows of name, metric, value, unit separated by tabs.
 ///
-///     motion_figures [FOLDER]      FOLDER: receives windmill-radius.svg
+///     motion_figures [FOLDER]      FOLDER: receives windmill-radius.png
 ///
 /// A windmill is run for a series of axis radii. Had its axis no inertia and its blades no give, all its twist energy E would
 /// become turning: the angular momentum of the blades would reach sqrt(2 E I), which goes like the radius squared.
@@ -68,15 +68,15 @@ std::optional<Released> release(double radius) {
     inertia += system.value().rest.node_mass[i] * x.tail<2>().squaredNorm();
   }
   released.bound = std::sqrt(2 * inertia * motion->records.front().elastic_energy);
-  row(name, "largest angular momentum of the blades", 1e9 * released.momentum, "g mm^2/s");
-  row(name, "the same if all twist became turning", 1e9 * released.bound, "g mm^2/s");
+  row(name, "largest angular momentum of the blades", 1e6 * released.momentum, "kg mm²/s");
+  row(name, "the same if all twist became turning", 1e6 * released.bound, "kg mm²/s");
   return released;
 }
 
 bool windmills_over_radius(const std::filesystem::path& folder) {
   ChartSeries computed{.name = "computed", .style = ChartSeries::Style::kLineAndPoints};
   ChartSeries bound{.name = "if all twist became turning of stiff blades"};
-  for (const double radius : {0.001, 0.0014, 0.002, 0.0028, 0.004}) {
+  for (const double radius : {0.001, 0.0014, 0.002, 0.0024, 0.0028, 0.0034, 0.004}) {
     const std::optional<Released> released = release(radius);
     if (!released) return false;
     computed.x.push_back(radius);
@@ -88,12 +88,47 @@ bool windmills_over_radius(const std::filesystem::path& folder) {
   Chart chart;
   chart.title = "Windmill: largest angular momentum of the blades";
   chart.x = {.label = "axis radius", .unit = "mm", .display_scale = 1e3};
-  chart.y = {.label = "angular momentum", .unit = "g mm^2/s", .display_scale = 1e9};
+  chart.y = {.label = "angular momentum", .unit = "kg mm²/s", .display_scale = 1e6};
   chart.series = {computed, bound};
-  const Result<std::string> picture = draw_chart(chart, ImageFormat::kSvg);
+  const Result<std::string> picture = draw_chart(chart, ImageFormat::kPng);
   if (!picture) return std::fprintf(stderr, "%s\n", picture.error().text().c_str()), false;
-  const Status written = write_file(folder / "windmill-radius.svg", picture.value());
+  const Status written = write_file(folder / "windmill-radius.png", picture.value());
   if (!written) return std::fprintf(stderr, "%s\n", written.error().text().c_str()), false;
+  return true;
+}
+
+/// How much of what the nodes do is a turn about the z axis, 0..1.
+double share_of_turn(const System& system, const VecX& shape, const std::vector<int>& nodes) {
+  double turn = 0, inertia = 0, square = 0;
+  for (const int node : nodes) {
+    const Vec3 u = shape.segment<3>(3 * node);
+    const Vec3& x = system.structure.nodes[node];
+    turn += x.x() * u.y() - x.y() * u.x();
+    inertia += x.head<2>().squaredNorm();
+    square += u.squaredNorm();
+  }
+  return square > 0 ? turn * turn / (inertia * square) : 0;
+}
+
+/// Without lean, pressed slowly: where the straight way down stops being stable, and what it gives way to.
+bool upright_sphere() {
+  const std::string name = "sphere without lean";
+  const Model model = scene_models::sphere_leaning(0);
+  const Result<System> system = make_system(model);
+  if (!system) return std::fprintf(stderr, "%s: %s\n", name.c_str(), system.error().text().c_str()), false;
+  const Result<StaticProblem> problem = make_static_problem(model, system.value(), model.poses[0], "/poses/0");
+  if (!problem) return std::fprintf(stderr, "%s: %s\n", name.c_str(), problem.error().text().c_str()), false;
+  const Result<std::vector<int>> top = select(model, system.value().structure, model.sets[0].nodes, "/sets/0");
+  if (!top) return std::fprintf(stderr, "%s: %s\n", name.c_str(), top.error().text().c_str()), false;
+  const PathResult path = follow_path(problem.value(), start_state(problem.value(), model.poses[0]),
+                                      {.to = 0.5, .steps = 10, .stop_at_critical = true}, {});
+  if (path.critical.empty()) return std::fprintf(stderr, "%s: %s\n", name.c_str(), path.message.c_str()), false;
+  const CriticalPoint& critical = path.critical.front();
+  const double press = std::abs(model.poses[0].supports[1].move.z());
+  row(name, "pressed down when the straight way becomes unstable", 1e3 * press * critical.load_factor, "mm");
+  row(name, "motions that become unstable there", critical.negative_after - critical.negative_before, "");
+  row(name, "share of turning in what the top does then",
+      100 * share_of_turn(system.value(), critical.mode.shape, top.value()), "%");
   return true;
 }
 
@@ -110,20 +145,6 @@ bool sphere() {
     turn = std::max(turn, std::abs(r.watches[0].turn));
     if (!onset && std::abs(r.watches[0].turn) > 1 * kDegree) onset = r.load_factor * press;
   }
-  // The same without lean, slowly: where the straight way down stops being stable.
-  const Model upright = scene_models::sphere_leaning(0);
-  const Result<System> upright_system = make_system(upright);
-  if (!upright_system) return false;
-  const Result<StaticProblem> problem =
-      make_static_problem(upright, upright_system.value(), upright.poses[0], "/poses/0");
-  if (!problem) return false;
-  const PathResult path = follow_path(problem.value(), start_state(problem.value(), upright.poses[0]),
-                                      {.to = 0.5, .steps = 10, .stop_at_critical = true}, {});
-  if (path.critical.empty()) return std::fprintf(stderr, "sphere: %s\n", path.message.c_str()), false;
-  row("sphere without lean", "pressed down when the straight way becomes unstable",
-      1e3 * press * path.critical[0].load_factor, "mm");
-  row("sphere without lean", "motions that become unstable there",
-      path.critical[0].negative_after - path.critical[0].negative_before, "");
   if (onset) row("sphere", "pressed down when the top has turned by 1 deg", 1e3 * *onset, "mm");
   row("sphere", "largest turn of the top", turn / kDegree, "deg");
   return true;
@@ -138,5 +159,6 @@ int main(int argc, char** argv) {
     if (argv[i][0] != '-') folder = argv[i];
   }
   const bool windmills = lissom::windmills_over_radius(folder);
-  return lissom::sphere() && windmills ? 0 : 1;
+  const bool upright = lissom::upright_sphere();
+  return lissom::sphere() && upright && windmills ? 0 : 1;
 }

@@ -101,6 +101,9 @@ bool Integrator::factorize(double dt) {
   return false;
 }
 
+/// Rotation vectors of joints are added, not composed: exp([r + w]) differs from exp([w]) exp([r]) by r x w / 2. The
+/// residual is that of the state moved by the whole increment, so this has no part in what is found, only in the way there
+/// (measured in docs/energies/motion.md).
 void Integrator::correct() {
   factor_.solve(free_, free_);
   const std::span<const int> kept = problem_.supports.kept();
