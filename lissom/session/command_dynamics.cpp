@@ -1,6 +1,7 @@
 #include "lissom/session/command_dynamics.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 #include "lissom/core/nearest_name.h"
@@ -77,9 +78,9 @@ Table motion_table(const MotionResult& result, const std::vector<std::string>& w
 Status write_files(const Document& document, const System& system, const MotionCase& motion, const std::string& stem,
                    const DynamicsCommand& command, PlayedMotion& played, Output& output) {
   const MotionResult& result = played.result;
-  if (const Status s = output.write(stem + ".json", dynamics_text(document, motion, played)); !s) return s;
+  if (Status s = output.write(stem + ".json", dynamics_text(document, motion, played)); !s) return s;
   if (result.records.empty()) return {};
-  if (const Status s = output.write(stem + ".csv", csv_text(played.table)); !s) return s;
+  if (Status s = output.write(stem + ".csv", csv_text(played.table)); !s) return s;
   const std::string ending = command.picture == ImageFormat::kSvg ? ".svg" : ".png";
   const std::string title = (document.model.title.empty() ? document.name : document.model.title) + ", " + motion.name;
   std::vector<std::pair<std::string, Chart>> charts{{"energy", energy_chart(title, result)}};
@@ -88,7 +89,8 @@ Status write_files(const Document& document, const System& system, const MotionC
     charts.emplace_back("turn", turn_chart(title, result, command.watches));
   }
   for (const auto& [name, chart] : charts) {
-    if (const Status s = output.write(stem + "-" + name + ending, draw_chart(chart, command.picture)); !s) return s;
+    if (Status s = output.write(fmt::format("{}-{}{}", stem, name, ending), draw_chart(chart, command.picture)); !s)
+      return s;
   }
   if (command.panels > 0) {
     std::vector<Drawing> drawings;
@@ -101,7 +103,7 @@ Status write_files(const Document& document, const System& system, const MotionC
     }
     const MotionStrip strip{title, command.field, command.view, command.strip_width};
     const Result<std::string> picture = draw_strip(strip, result, shown, std::move(drawings), command.picture);
-    if (const Status s = output.write(stem + "-strip" + ending, picture); !s) return s;
+    if (Status s = output.write(stem + "-strip" + ending, picture); !s) return s;
   }
   if (command.vtu == ParaView::kNo) return {};
   std::vector<double> times;
