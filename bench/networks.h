@@ -2,6 +2,8 @@
 /// Structures that benches measure.
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <string_view>
 
 #include "scenes/parts.h"
@@ -34,6 +36,23 @@ inline Model hanging_honeycomb(int columns, int rows, int edges) {
   const ObjLines lines = scene_models::hexagons(0.02, columns, rows);
   Model model = scene_models::sheet("honeycomb", lines, 0.001, "TPU 92A", edges);
   model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));
+  return model;
+}
+
+/// Nine limbs of 24 edges that meet in a hub, which is held; limbs rise to a knee and fall to a foot. About 860 unknowns.
+inline Model spider() {
+  Model model;
+  for (int k = 0; k < 9; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / 9;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0), up(0, 0, 1);
+    const Polyline limb{{Vec3::Zero(), 0.06 * out + 0.04 * up, 0.14 * out - 0.08 * up}, false};
+    model.rods.push_back(scene_models::round_rod("limb " + std::to_string(k + 1), limb, 0.0006, "TPU 92A", 24));
+  }
+  Pose pose;
+  pose.name = "let go";
+  pose.supports.push_back(scene_models::hold(scene_models::rod_place("limb 1", 0), SupportKind::kPin));
+  pose.gravity = Gravity{};
+  model.poses.push_back(pose);
   return model;
 }
 

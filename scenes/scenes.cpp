@@ -19,8 +19,12 @@ constexpr Scene kScenes[] = {
     {"quad_sheet", "A sheet of squares, 0.2 m, hung by two opposite sides under its own weight.",
      scene_models::quad_sheet},
     {"ring", "A ring pulled apart by two opposite forces.", scene_models::ring},
+    {"sphere", "A sphere of laths that is pressed down by a smooth plate; on the way it begins to twist.",
+     scene_models::sphere},
     {"triangle_sheet", "A sheet of triangles, 0.2 m, hung by two opposite sides under its own weight.",
      scene_models::triangle_sheet},
+    {"windmill", "Three windmills, axes thin to thick, twisted and let go: the twist bends their blades.",
+     scene_models::windmill},
 };
 
 }  // namespace

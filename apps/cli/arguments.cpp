@@ -9,6 +9,13 @@ std::optional<Vec3> axis_named(const std::string& name) {
   return Vec3::Unit(name == "x" ? 0 : name == "y" ? 1 : 2);
 }
 
+Viewpoint camera_named(const std::string& name) {
+  return name == "top"     ? Viewpoint::top()
+         : name == "front" ? Viewpoint::front()
+         : name == "right" ? Viewpoint::right()
+                           : Viewpoint::iso();
+}
+
 ImageFormat format_named(const std::string& name) { return name == "svg" ? ImageFormat::kSvg : ImageFormat::kPng; }
 
 void print_json_list(const std::string& name, const std::vector<std::string>& entries) {

@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "lissom/core/types.h"
+#include "lissom/view/camera.h"
 #include "lissom/view/canvas.h"
 
 namespace lissom::cli {
 
 /// Unit vector of "x", "y" or "z"; nothing for an empty text.
 std::optional<Vec3> axis_named(const std::string& name);
+
+/// Of "iso", "top", "front" or "right".
+Viewpoint camera_named(const std::string& name);
 
 /// Of "svg" or "png".
 ImageFormat format_named(const std::string& name);

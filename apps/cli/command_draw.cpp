@@ -3,8 +3,8 @@
 #include "lissom/session/command_draw.h"
 
 #include <fmt/format.h>
-#include <map>
 
+#include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
@@ -46,15 +46,11 @@ int draw_file(const Arguments& arguments) {
   }
   const Result<Drawable> drawable = read_drawable(arguments.file, arguments.pose);
   if (!drawable) return report(drawable.error(), arguments.file);
-  static const std::map<std::string, Viewpoint> cameras{{"iso", Viewpoint::iso()},
-                                                        {"top", Viewpoint::top()},
-                                                        {"front", Viewpoint::front()},
-                                                        {"right", Viewpoint::right()}};
   DrawCommand command;
   command.shown = arguments.shown == "rest"       ? Shown::kRest
                   : arguments.shown == "deformed" ? Shown::kDeformed
                                                   : Shown::kBoth;
-  command.picture.view = cameras.at(arguments.camera);
+  command.picture.view = camera_named(arguments.camera);
   command.picture.field = arguments.field;
   command.picture.title = arguments.title;
   command.picture.theme = arguments.theme == "dark" ? Theme::kDark : Theme::kLight;

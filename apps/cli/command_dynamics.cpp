@@ -14,8 +14,8 @@ namespace lissom::cli {
 namespace {
 
 struct Arguments {
-  std::string file, folder, picture = "svg", axis = "z";
-  std::vector<double> point{0, 0, 0};  // mm
+  std::string file, folder, picture = "svg", axis = "z", camera = "iso";
+  std::vector<double> point;  // mm
   DynamicsCommand command;
   bool json = false, vtu = false;
   RunOptions run;
@@ -41,7 +41,8 @@ int play(Arguments& arguments) {
   command.vtu = arguments.vtu ? ParaView::kYes : ParaView::kNo;
   command.picture = format_named(arguments.picture);
   command.watch_axis = axis_named(arguments.axis).value_or(Vec3::UnitZ());
-  command.watch_point = 1e-3 * Vec3(arguments.point[0], arguments.point[1], arguments.point[2]);
+  if (!arguments.point.empty()) command.watch_point = 1e-3 * Vec3(arguments.point.data());
+  command.view = camera_named(arguments.camera);
   Run run(arguments.run);
   const Result<std::vector<PlayedMotion>> results = dynamics_command(document.value(), command, run.context());
   run.clear_line();
@@ -71,10 +72,17 @@ void add_dynamics(CLI::App& app, Runner& chosen) {
       ->allow_extra_args(false);
   command->add_option("--watch-axis", arguments->axis, "Axis of the turning, x, y or z [z]")
       ->check(CLI::IsMember({"x", "y", "z"}));
-  command->add_option("--watch-point", arguments->point, "Point on that axis, x y z in mm [0 0 0]")->expected(3);
+  command
+      ->add_option("--watch-point", arguments->point,
+                   "Point on that axis, x y z in mm [the middle of the place as drawn]")
+      ->expected(3);
   command->add_option("--panels", arguments->command.panels, "Pictures in the strip; 0: no strip [6]")
       ->check(CLI::Range(0, 64));
   command->add_option("--field", arguments->command.field, "Field that colours them, such as curvature [plain]");
+  command->add_option("--camera", arguments->camera, "Where the strip is seen from: iso, top, front or right [iso]")
+      ->check(CLI::IsMember({"iso", "top", "front", "right"}));
+  command->add_option("--width", arguments->command.strip_width, "Width of the strip in pixels [1440]")
+      ->check(CLI::Range(200, 20000));
   command->add_option("-o,--output", arguments->folder, "Folder for results [out, next to the document]");
   command->add_flag("--json", arguments->json, "Print one JSON object (SI units) and nothing else");
   command->add_flag("--vtu", arguments->vtu,
@@ -82,10 +90,10 @@ void add_dynamics(CLI::App& app, Runner& chosen) {
   command->add_option("--picture", arguments->picture, "Format of pictures and charts, svg or png [svg]")
       ->check(CLI::IsMember({"svg", "png"}));
   add_run_options(*command, arguments->run);
-  command->footer(std::string("Writes energies and momenta over time (.csv, .json), a chart of the energies, and a "
-                              "strip of pictures. Ctrl-C\n"
-                              "stops and keeps what has been played.\n\nExample:\n  lissom dynamics scene:windmill "
-                              "--watch blades --watch-axis x --panels 8\n\n") +
+  command->footer(std::string("Writes energies and momenta over time (.csv, .json), charts of them, and a strip of "
+                              "pictures. Ctrl-C stops\n"
+                              "and keeps what has been played.\n\nExample:\n  lissom dynamics scene:windmill "
+                              "--watch thin --watch thick --watch-axis x\n\n") +
                   exit_codes_text());
   command->callback([arguments, &chosen] { chosen = [arguments] { return play(*arguments); }; });
 }

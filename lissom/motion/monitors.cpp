@@ -14,13 +14,16 @@ Result<Monitors> Monitors::make(const Model& model, const StaticProblem& problem
   for (size_t w = 0; w < options.watches.size(); ++w) {
     const MotionWatch& watch = options.watches[w];
     const std::string place = where + "/watches/" + std::to_string(w);
-    if (!(watch.axis.norm() > 0) || !watch.axis.allFinite() || !watch.point.allFinite()) {
+    if (!(watch.axis.norm() > 0) || !watch.axis.allFinite() || !watch.point.value_or(Vec3::Zero()).allFinite()) {
       return Error{ErrorCode::kRange, place + "/axis", "an axis needs a direction and a point",
                    "give two finite vectors"};
     }
     Result<std::vector<int>> nodes = select(model, structure, watch.nodes, place + "/nodes");
     if (!nodes) return nodes.error();
-    Watched watched{watch.point, watch.axis.normalized(), std::move(nodes).value(), {}};
+    Watched watched{Vec3::Zero(), watch.axis.normalized(), std::move(nodes).value(), {}};
+    for (const int node : watched.nodes) watched.point += structure.nodes[node];
+    watched.point /= static_cast<double>(watched.nodes.size());
+    if (watch.point) watched.point = *watch.point;
     std::vector<bool> selected(structure.nodes.size(), false);
     for (const int node : watched.nodes) selected[node] = true;
     for (int e = 0; e < problem.system->edge_count(); ++e) {

@@ -11,6 +11,7 @@
 /// The energy balance counts the mass of what is free; total = kinetic + elastic - work of loads and supports + losses
 /// stays what it was in a perfect run, so `drift` is the error of the method.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,7 @@ const MotionVerdictInfo& motion_verdict_info(MotionVerdict verdict);
 struct MotionWatch {
   std::string name;
   Selector nodes;
-  Vec3 point = Vec3::Zero();  ///< m, on the axis
+  std::optional<Vec3> point;  ///< m, on the axis; absent: the mean of the nodes as drawn
   Vec3 axis = Vec3::UnitZ();
 };
 

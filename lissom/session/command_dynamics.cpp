@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "lissom/core/nearest_name.h"
 #include "lissom/session/dynamics_json.h"
 #include "lissom/session/fields.h"
+#include "lissom/session/motion_pictures.h"
 #include "lissom/session/place_name.h"
-#include "lissom/view/chart.h"
-#include "lissom/view/picture.h"
 
 namespace lissom {
 
@@ -75,90 +75,35 @@ Table motion_table(const MotionResult& result, const std::vector<std::string>& w
   return table;
 }
 
-std::string title_of(const Document& document, const MotionCase& motion) {
-  return (document.model.title.empty() ? document.name : document.model.title) + ", " + motion.name;
-}
-
-template <class Of>
-ChartSeries series(std::string name, const MotionResult& result, const Of& of) {
-  ChartSeries s;
-  s.name = std::move(name);
-  for (const MotionRecord& r : result.records) {
-    s.x.push_back(r.time);
-    s.y.push_back(of(r));
-  }
-  return s;
-}
-
-Chart energy_chart(const std::string& title, const MotionResult& result) {
-  Chart chart;
-  chart.title = title;
-  chart.x = {.label = "time", .unit = "s"};
-  chart.y = {.label = "energy", .unit = "mJ", .display_scale = 1000};
-  chart.series = {
-      series("kinetic", result, [](const MotionRecord& r) { return r.translation_energy + r.roll_energy; }),
-      series("elastic", result, [](const MotionRecord& r) { return r.elastic_energy; }),
-      series("put in by loads and supports", result,
-             [](const MotionRecord& r) { return r.ledger.load_work + r.ledger.support_work; }),
-      series("lost", result, [](const MotionRecord& r) { return r.ledger.rayleigh_loss + r.ledger.numerical_loss; }),
-      series("total", result, [](const MotionRecord& r) { return r.total; })};
-  return chart;
-}
-
-Chart turning_chart(const std::string& title, const MotionResult& result, const std::vector<std::string>& watches) {
-  Chart chart;
-  chart.title = title;
-  chart.x = {.label = "time", .unit = "s"};
-  chart.y = {.label = "angular momentum", .unit = "g mm^2/s", .display_scale = 1e9};
-  for (size_t w = 0; w < watches.size(); ++w) {
-    chart.series.push_back(
-        series(watches[w], result, [w](const MotionRecord& r) { return r.watches[w].angular_momentum; }));
-  }
-  return chart;
-}
-
-/// Pictures at equal distances in time, first and last record among them.
-Result<std::string> strip(const Document& document, const System& system, const MotionCase& motion, const Pose* pose,
-                          const DynamicsCommand& command, const MotionResult& result) {
-  std::vector<Panel> panels;
-  const int last = static_cast<int>(result.states.size()) - 1;
-  const int count = std::min(command.panels, last + 1);
-  for (int i = 0; i < count; ++i) {
-    const int k = count > 1 ? (last * i + (count - 1) / 2) / (count - 1) : 0;
-    const Result<Drawing> drawing = draw_state({document.model, system, result.states[k], nullptr}, pose);
-    if (!drawing) return drawing.error();
-    panels.push_back({{{drawing.value(), Layer::Style::kSolid}}, fmt::format("{:.4g} s", result.records[k].time)});
-  }
-  PictureOptions options;
-  options.title = title_of(document, motion);
-  options.field = command.field;
-  options.width = 480 * std::min(count, 4);
-  options.height = 560 * ((count + 3) / 4);
-  options.forces = Visibility::kHidden;
-  return draw_picture(panels, options, command.picture);
-}
-
 Status write_files(const Document& document, const System& system, const MotionCase& motion, const std::string& stem,
                    const DynamicsCommand& command, PlayedMotion& played, Output& output) {
   const MotionResult& result = played.result;
-  if (const Status s = output.write(stem + ".json", dynamics_text(document, motion, played)); !s) return s;
+  if (Status s = output.write(stem + ".json", dynamics_text(document, motion, played)); !s) return s;
   if (result.records.empty()) return {};
-  if (const Status s = output.write(stem + ".csv", csv_text(played.table)); !s) return s;
+  if (Status s = output.write(stem + ".csv", csv_text(played.table)); !s) return s;
   const std::string ending = command.picture == ImageFormat::kSvg ? ".svg" : ".png";
-  const std::string title = title_of(document, motion);
-  if (const Status s =
-          output.write(stem + "-energy" + ending, draw_chart(energy_chart(title, result), command.picture));
-      !s)
-    return s;
+  const std::string title = (document.model.title.empty() ? document.name : document.model.title) + ", " + motion.name;
+  std::vector<std::pair<std::string, Chart>> charts{{"energy", energy_chart(title, result)}};
   if (!command.watches.empty()) {
-    const Chart chart = turning_chart(title, result, command.watches);
-    if (const Status s = output.write(stem + "-turning" + ending, draw_chart(chart, command.picture)); !s) return s;
+    charts.emplace_back("momentum", momentum_chart(title, result, command.watches));
+    charts.emplace_back("turn", turn_chart(title, result, command.watches));
+  }
+  for (const auto& [name, chart] : charts) {
+    if (Status s = output.write(fmt::format("{}-{}{}", stem, name, ending), draw_chart(chart, command.picture)); !s)
+      return s;
   }
   if (command.panels > 0) {
-    const Pose* pose = document.model.pose(motion.pose);
-    if (const Status s = output.write(stem + "-strip" + ending, strip(document, system, motion, pose, command, result));
-        !s)
-      return s;
+    std::vector<Drawing> drawings;
+    const std::vector<int> shown = strip_records(result, command.panels);
+    for (const int k : shown) {
+      Result<Drawing> drawing =
+          draw_state({document.model, system, result.states[k], nullptr}, document.model.pose(motion.pose));
+      if (!drawing) return drawing.error();
+      drawings.push_back(std::move(drawing).value());
+    }
+    const MotionStrip strip{title, command.field, command.view, command.strip_width};
+    const Result<std::string> picture = draw_strip(strip, result, shown, std::move(drawings), command.picture);
+    if (Status s = output.write(stem + "-strip" + ending, picture); !s) return s;
   }
   if (command.vtu == ParaView::kNo) return {};
   std::vector<double> times;

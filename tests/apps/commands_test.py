@@ -168,7 +168,7 @@ class Dynamics(tool.ToolTest):
         self.assertTrue(min(turn) < 0 < max(turn))
         series = ElementTree.parse(self.folder / "out/beam-swing.pvd").findall(".//DataSet")
         self.assertEqual(len(series), 31)
-        for name in ("beam-swing.json", "beam-swing-energy.svg", "beam-swing-turning.svg", "beam-swing-strip.svg"):
+        for name in ("beam-swing.json", "beam-swing-energy.svg", "beam-swing-momentum.svg", "beam-swing-turn.svg", "beam-swing-strip.svg"):
             self.assertTrue((self.folder / "out" / name).exists(), name)
 
     def test_ctrl_c_keeps_what_was_played(self):

@@ -326,6 +326,24 @@ TEST(Dynamics, WatchesSeeTheTurn) {
   EXPECT_NEAR(last.angular_momentum, first, 0.01 * first);
 }
 
+TEST(Dynamics, AWatchWithoutAPointTurnsAboutItsMiddle) {
+  Model model = rod_model("PLA", 2e-3, 2e-3, 4, {});
+  for (int i = 0; i <= 4; ++i) {
+    MotionCase::Kick kick;
+    kick.at = at_rod("rod", i / 4.0);
+    kick.velocity = Vec3(0, 10 * kLength * (i / 4.0 - 0.5), 0);
+    model.motions[0].kicks.push_back(kick);
+  }
+  model.motions[0].duration = 1;
+  model.motions[0].step = 0.01;
+  model.motions[0].error_tolerance = 1e-4;
+  MotionOptions options;
+  options.watches = {{"middle", at_rod("rod"), {}, Vec3::UnitZ()}, {"end", at_rod("rod"), Vec3::Zero(), Vec3::UnitZ()}};
+  const MotionResult result = run(model, options);
+  EXPECT_NEAR(result.records.back().watches[0].turn, 10, 0.05);
+  EXPECT_GT(std::abs(result.records.back().watches[1].turn - 10), 1);
+}
+
 TEST(Dynamics, StepsDoNotAllocate) {
   Model model = twisted_axis(1);
   model.poses[0].supports[1].move = Vec3::Zero();
