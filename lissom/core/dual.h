@@ -112,6 +112,42 @@ Dual2<N> atan2(const Dual2<N>& y, const Dual2<N>& x) {
   return r;
 }
 
+/// a + g.d: the same to first order, for expressions that are linear in the active variables.
+template <int N>
+struct Dual1 {
+  double a = 0;
+  std::array<double, N> g{};
+
+  Dual1() = default;
+  Dual1(double value) : a(value) {}  // NOLINT(google-explicit-constructor): constants mix freely with duals
+
+  /// The i-th active variable at this value.
+  static Dual1 variable(double value, int i) {
+    Dual1 x(value);
+    x.g[i] = 1;
+    return x;
+  }
+
+  Dual1& operator+=(const Dual1& o) {
+    a += o.a;
+    for (int i = 0; i < N; ++i) g[i] += o.g[i];
+    return *this;
+  }
+  Dual1& operator-=(const Dual1& o) { return *this += -o; }
+  friend Dual1 operator+(Dual1 x, const Dual1& y) { return x += y; }
+  friend Dual1 operator-(Dual1 x, const Dual1& y) { return x -= y; }
+  friend Dual1 operator-(Dual1 x) {
+    x.a = -x.a;
+    for (double& g : x.g) g = -g;
+    return x;
+  }
+  friend Dual1 operator*(const Dual1& x, const Dual1& y) {
+    Dual1 r(x.a * y.a);
+    for (int i = 0; i < N; ++i) r.g[i] = x.a * y.g[i] + y.a * x.g[i];
+    return r;
+  }
+};
+
 inline double primal(double x) { return x; }
 template <int N>
 double primal(const Dual2<N>& x) {

@@ -1,6 +1,6 @@
 #include "lissom/equilibrium/newton_workspace.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace lissom {
@@ -9,10 +9,12 @@ NewtonWorkspace::NewtonWorkspace(const StaticProblem& problem, const Context& co
     : problem_(problem),
       context_(context),
       factor_(problem.potential.pattern(), problem.supports.kept(), {.kind = kind}) {
+  // Free unknowns keep the order of the layout, in which each class is one run.
   const std::span<const int> kept = problem.supports.kept();
-  class_of_.reserve(problem.supports.unknowns());
   for (int i = 0; i < static_cast<int>(kept.size()); ++i) {
-    if (kept[i] >= 0) class_of_.push_back(static_cast<int>(system().layout.dof_class(i)));
+    if (kept[i] < 0) continue;
+    diagonal_.push_back(problem.potential.pattern().diagonal_slot(i));
+    ++class_size_[static_cast<int>(system().layout.dof_class(i))];
   }
   metric_ = VecX::Ones(problem.supports.unknowns());
 }
@@ -24,17 +26,12 @@ double NewtonWorkspace::energy(const State& state) {
 void NewtonWorkspace::assemble(const State& state) {
   problem_.potential.hessian(state, gradient_, hessian_, buffers_, context_.threads);
   problem_.supports.restrict(gradient_, free_gradient_);
-  std::array<double, 3> sum{}, count{};
-  const std::span<const int> kept = problem_.supports.kept();
-  for (int i = 0; i < static_cast<int>(kept.size()); ++i) {
-    if (kept[i] < 0) continue;
-    const int c = class_of_[kept[i]];
-    sum[c] += std::abs(hessian_[problem_.potential.pattern().diagonal_slot(i)]);
-    count[c] += 1;
-  }
-  for (int i = 0; i < metric_.size(); ++i) {
-    const int c = class_of_[i];
-    metric_[i] = sum[c] > 0 ? sum[c] / count[c] : 1;
+  int first = 0;
+  for (const int size : class_size_) {
+    double sum = 0;
+    for (int i = first; i < first + size; ++i) sum += std::abs(hessian_[diagonal_[i]]);
+    metric_.segment(first, size).setConstant(sum > 0 ? sum / size : 1);
+    first += size;
   }
 }
 
@@ -62,7 +59,8 @@ double NewtonWorkspace::residual(const VecX& free_gradient) const {
   for (int i = 0; i < free_gradient.size(); ++i) {
     const double f = std::abs(free_gradient[i]);
     if (!(f <= 1e300)) return INFINITY;
-    (class_of_[i] == 0 ? force : moment) = std::max(class_of_[i] == 0 ? force : moment, f);
+    double& largest = i < class_size_[0] ? force : moment;
+    largest = std::max(largest, f);
   }
   return std::max(force, moment / system().rest.mean_edge_length);
 }

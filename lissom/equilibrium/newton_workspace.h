@@ -1,6 +1,7 @@
 #pragma once
 /// What every Newton-type method on a static problem shares: assembly, factor, residual, buffers. One per solve.
 
+#include <array>
 #include <vector>
 
 #include "lissom/core/context.h"
@@ -54,7 +55,8 @@ class NewtonWorkspace {
   AssemblyBuffers buffers_;
   std::vector<double> hessian_;
   VecX gradient_, free_gradient_, metric_, local_x_, local_y_;
-  std::vector<int> class_of_;  // per free unknown: 0 position, 1 roll, 2 rotation
+  std::vector<int> diagonal_;        // per free unknown: its place among the values
+  std::array<int, 3> class_size_{};  // free positions, rolls, joint rotations
   int factorizations_ = 0;
 };
 

@@ -9,7 +9,6 @@ namespace lissom {
 namespace {
 
 constexpr int kGroupGrain = 64;
-constexpr int kGatherGrain = 8192;
 constexpr int kSumChunk = 256;
 
 /// Sum in chunks of fixed size: smaller rounding than a running sum, same bytes always.
@@ -26,17 +25,6 @@ double chunked_sum(const double* x, std::ptrdiff_t n) {
 
 std::ptrdiff_t block_entry(int stencil, int entries, int entry) {
   return (static_cast<std::ptrdiff_t>(stencil / kLanes) * entries + entry) * kLanes + stencil % kLanes;
-}
-
-/// Turns (target, source) pairs, visited twice by `visit(emit)`, into lists of sources per target in order of visit.
-template <class Visit>
-void build_lists(int targets, const Visit& visit, std::vector<int>& first, std::vector<int>& source) {
-  first.assign(targets + 1, 0);
-  visit([&](int target, std::ptrdiff_t) { ++first[target + 1]; });
-  for (int i = 0; i < targets; ++i) first[i + 1] += first[i];
-  source.resize(first[targets]);
-  std::vector<int> next(first.begin(), first.end() - 1);
-  visit([&](int target, std::ptrdiff_t place) { source[next[target]++] = static_cast<int>(place); });
 }
 
 }  // namespace
@@ -84,28 +72,22 @@ void Potential::build_gather() {
       }
     }
   };
-  build_lists(
-      dofs(),
-      [&](const auto& emit) {
-        for_stencils(false, [&](int t, int s, std::span<const int> dof) {
-          for (int i = 0; i < static_cast<int>(dof.size()); ++i) {
-            emit(dof[i], gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i));
-          }
-        });
-      },
-      gradient_first_, gradient_source_);
-  build_lists(
-      pattern_.nonzeros(),
-      [&](const auto& emit) {
-        for_stencils(true, [&](int t, int s, std::span<const int> dof) {
-          for (int i = 0, k = 0; i < static_cast<int>(dof.size()); ++i) {
-            for (int j = 0; j <= i; ++j, ++k) {
-              emit(pattern_.slot(dof[i], dof[j]), hessian_start_[t] + block_entry(s, terms_[t]->hessian_entries(), k));
-            }
-          }
-        });
-      },
-      hessian_first_, hessian_source_);
+  gradient_lists_ = GatherLists(dofs(), [&](const auto& emit) {
+    for_stencils(false, [&](int t, int s, std::span<const int> dof) {
+      for (int i = 0; i < static_cast<int>(dof.size()); ++i) {
+        emit(dof[i], gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i));
+      }
+    });
+  });
+  hessian_lists_ = GatherLists(pattern_.nonzeros(), [&](const auto& emit) {
+    for_stencils(true, [&](int t, int s, std::span<const int> dof) {
+      for (int i = 0, k = 0; i < static_cast<int>(dof.size()); ++i) {
+        for (int j = 0; j <= i; ++j, ++k) {
+          emit(pattern_.slot(dof[i], dof[j]), hessian_start_[t] + block_entry(s, terms_[t]->hessian_entries(), k));
+        }
+      }
+    });
+  });
 }
 
 double Potential::value(const State& state, AssemblyBuffers& buffers, ThreadPool* threads,
@@ -167,34 +149,19 @@ void Potential::turn_block(const Turned& turned, AssemblyBuffers& buffers, bool 
   }
 }
 
-void Potential::gather_gradient(VecX& gradient, const AssemblyBuffers& buffers, ThreadPool* threads) const {
-  gradient.resize(dofs());
-  parallel_for(threads, dofs(), kGatherGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      double sum = 0;
-      for (int k = gradient_first_[i]; k < gradient_first_[i + 1]; ++k) sum += buffers.gradient[gradient_source_[k]];
-      gradient[i] = sum;
-    }
-  });
-}
-
 void Potential::gradient(const State& state, VecX& gradient, AssemblyBuffers& buffers, ThreadPool* threads) const {
   evaluate_blocks(state, buffers, false, threads);
-  gather_gradient(gradient, buffers, threads);
+  gradient.resize(dofs());
+  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
 }
 
 void Potential::hessian(const State& state, VecX& gradient, std::vector<double>& values, AssemblyBuffers& buffers,
                         ThreadPool* threads) const {
   evaluate_blocks(state, buffers, true, threads);
-  gather_gradient(gradient, buffers, threads);
+  gradient.resize(dofs());
+  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
   values.resize(pattern_.nonzeros());
-  parallel_for(threads, pattern_.nonzeros(), kGatherGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      double sum = 0;
-      for (int k = hessian_first_[i]; k < hessian_first_[i + 1]; ++k) sum += buffers.hessian[hessian_source_[k]];
-      values[i] = sum;
-    }
-  });
+  hessian_lists_.sum(buffers.hessian.data(), values.data(), threads);
 }
 
 void Potential::to_global(VecX& dq) const {

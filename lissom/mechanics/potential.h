@@ -9,6 +9,7 @@
 #include "lissom/core/parallel.h"
 #include "lissom/core/sparse_pattern.h"
 #include "lissom/mechanics/energy_term.h"
+#include "lissom/mechanics/gather_lists.h"
 
 namespace lissom {
 
@@ -60,7 +61,6 @@ class Potential {
 
   void evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian, ThreadPool* threads) const;
   void turn_block(const Turned& turned, AssemblyBuffers& buffers, bool with_hessian) const;
-  void gather_gradient(VecX& gradient, const AssemblyBuffers& buffers, ThreadPool* threads) const;
   void build_gather();
 
   std::vector<std::unique_ptr<EnergyTerm>> terms_;
@@ -68,8 +68,7 @@ class Potential {
   std::vector<Turned> turned_;
   SparsePattern pattern_;
   std::vector<std::ptrdiff_t> energy_start_, gradient_start_, hessian_start_;  // per term, into the buffers
-  std::vector<int> gradient_first_, gradient_source_;                          // gather lists, per unknown
-  std::vector<int> hessian_first_, hessian_source_;                            // gather lists, per slot
+  GatherLists gradient_lists_, hessian_lists_;                                 // per unknown; per slot of the pattern
 };
 
 }  // namespace lissom

@@ -85,7 +85,8 @@ class StencilTerm final : public EnergyTerm {
           for (int i = 0; i < kEntries; ++i) write(lane_hessian[i], hess + i * kLanes, lane);
         });
       } else {
-        using Dual = Dual2<E::kDofs>;
+        // Linear terms have no Hessian to look for.
+        using Dual = std::conditional_t<E::kHasHessian, Dual2<E::kDofs>, Dual1<E::kDofs>>;
         for (int lane = 0; lane < kLanes; ++lane) {
           const auto& s = stencil(g, lane);
           std::array<Dual, E::kDofs> x;
@@ -94,8 +95,9 @@ class StencilTerm final : public EnergyTerm {
           for (int i = 0; i < E::kRest; ++i) rest[i] = s.rest[i];
           const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
           for (int i = 0; i < E::kDofs; ++i) grad[i * kLanes + lane] = v.g[i];
-          if (hess == nullptr) continue;
-          for (int i = 0; i < kEntries; ++i) hess[i * kLanes + lane] = v.h[i];
+          if constexpr (E::kHasHessian) {
+            for (int i = 0; i < kEntries && hess != nullptr; ++i) hess[i * kLanes + lane] = v.h[i];
+          }
         }
       }
     }

@@ -1,0 +1,56 @@
+#include "lissom/mechanics/gather_lists.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lissom {
+
+namespace {
+
+constexpr int kGrain = 8192;
+
+/// `kCount` places per target; 0: as many as `count` says.
+template <int kCount>
+void sum_run(const double* buffer, const int* target, const int* place, int count, int targets, double* out) {
+  const int n = kCount > 0 ? kCount : count;
+  for (int i = 0; i < targets; ++i, place += n) {
+    double sum = 0;
+    for (int k = 0; k < n; ++k) sum += buffer[place[k]];
+    out[target[i]] = sum;
+  }
+}
+
+}  // namespace
+
+std::vector<std::ptrdiff_t> GatherLists::arrange(const std::vector<int>& count) {
+  target_.resize(count.size());
+  std::iota(target_.begin(), target_.end(), 0);
+  std::stable_sort(target_.begin(), target_.end(), [&](int a, int b) { return count[a] < count[b]; });
+  std::vector<std::ptrdiff_t> first(count.size(), 0);
+  std::ptrdiff_t place = 0;
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(target_.size()); ++i) {
+    const int n = count[target_[i]];
+    if (runs_.empty() || runs_.back().count != n) runs_.push_back({n, i, i, place});
+    runs_.back().end = i + 1;
+    first[target_[i]] = place;
+    place += n;
+  }
+  place_.resize(place);
+  return first;
+}
+
+void GatherLists::sum(const double* buffer, double* target, ThreadPool* threads) const {
+  for (const Run& run : runs_) {
+    parallel_for(threads, static_cast<int>(run.end - run.begin), kGrain, [&](int begin, int end) {
+      const int* targets = target_.data() + run.begin + begin;
+      const int* places = place_.data() + run.first_place + static_cast<std::ptrdiff_t>(begin) * run.count;
+      const auto sum_targets = run.count == 1   ? sum_run<1>
+                               : run.count == 2 ? sum_run<2>
+                               : run.count == 3 ? sum_run<3>
+                                                : sum_run<0>;
+      sum_targets(buffer, targets, places, run.count, end - begin, target);
+    });
+  }
+}
+
+}  // namespace lissom

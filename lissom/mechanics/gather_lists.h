@@ -1,0 +1,45 @@
+#pragma once
+/// Sums of a long buffer into a shorter vector, each entry from fixed places in a fixed order: the same bytes at any
+/// number of threads. Entries with equally many places stand together, so that the inner loop has a constant length.
+
+#include <cstddef>
+#include <vector>
+
+#include "lissom/core/parallel.h"
+
+namespace lissom {
+
+class GatherLists {
+ public:
+  GatherLists() = default;
+
+  /// `visit(emit)` calls emit(target, place) for every pair, in the same order each of the two times it is called. All
+  /// places are below 2^31.
+  template <class Visit>
+  GatherLists(int targets, const Visit& visit) {
+    std::vector<int> count(targets, 0);
+    visit([&](int target, std::ptrdiff_t) { ++count[target]; });
+    const std::vector<std::ptrdiff_t> first = arrange(count);
+    std::vector<std::ptrdiff_t> next = first;
+    visit([&](int target, std::ptrdiff_t place) { place_[next[target]++] = static_cast<int>(place); });
+  }
+
+  /// target[i] = sum of buffer[place] over the places of i, 0 where there are none.
+  void sum(const double* buffer, double* target, ThreadPool* threads) const;
+
+ private:
+  /// Targets with the same number of places.
+  struct Run {
+    int count = 0;
+    std::ptrdiff_t begin = 0, end = 0, first_place = 0;
+  };
+
+  /// Sorts the targets by count; returns where the places of each begin.
+  std::vector<std::ptrdiff_t> arrange(const std::vector<int>& count);
+
+  std::vector<Run> runs_;
+  std::vector<int> target_;
+  std::vector<int> place_;
+};
+
+}  // namespace lissom
