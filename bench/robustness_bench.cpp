@@ -1,6 +1,6 @@
 /// Solves from starts far from any shape and counts how they end, over ten networks of up to 5,000 unknowns.
 ///
-///     robustness_bench [STARTS]      STARTS: per network, half of them smooth fields, half noise; default 100
+///     robustness_bench [STARTS]      STARTS: per network, half of them smooth fields, half noise; default 20
 
 #include <algorithm>
 #include <chrono>
@@ -96,7 +96,7 @@ bool measure(const std::string& name, const Model& model, int starts, Tally& all
 
 int main(int argc, char** argv) {
   using namespace lissom;
-  int starts = 100;
+  int starts = 20;
   for (int i = 1; i < argc; ++i) {
     if (argv[i][0] != '-') starts = std::max(1, std::atoi(argv[i]));
   }
