@@ -38,7 +38,7 @@ Result<NetworkOptions> network_options(const Arguments& arguments) {
   options.material = arguments.material;
   options.section = {.r_n = {radius.value()}, .r_b = {radius.value()}};
   options.edges_per_segment = arguments.edges;
-  options.rods = arguments.rods == "chains" ? NetworkOptions::Rods::kChains : NetworkOptions::Rods::kSegments;
+  options.rods = arguments.rods == "chains" ? NetworkRods::kChains : NetworkRods::kSegments;
   return options;
 }
 

@@ -221,6 +221,9 @@ Result<Structure> discretize(const Model& model, double refine) {
     return Error{ErrorCode::kGeometry, "/rods", "there is no rod", "describe at least one"};
   }
   Draft draft{model, {}, {}, {}, {}, {}};
+  for (const NetworkFile& file : model.network_files) {
+    draft.structure.notes.insert(draft.structure.notes.end(), file.notes.begin(), file.notes.end());
+  }
   if (Status s = sample_rods(draft, refine); !s) return s.error();
   if (Status s = merge_nodes(draft); !s) return s.error();
   set_edges(draft);
