@@ -124,7 +124,8 @@ Result<std::string> read_file_below(const fs::path& folder, const std::string& n
   if (code) return refuse("the folder \"" + folder.string() + "\" cannot be entered: " + code.message(), {});
   const fs::path path = fs::canonical(base / relative, code);
   if (code == std::errc::no_such_file_or_directory || code == std::errc::not_a_directory) {
-    return refuse("there is no file " + quoted, "it was looked for in " + base.string());
+    return refuse("there is no file " + quoted,
+                  "it was looked for in " + (folder.empty() ? std::string("the current folder") : folder.string()));
   }
   if (code) return refuse(quoted + " cannot be reached: " + code.message(), {});
   const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());

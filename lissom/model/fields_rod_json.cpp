@@ -1,4 +1,5 @@
 #include "lissom/model/entries_json.h"
+#include "lissom/model/limits.h"
 
 namespace lissom {
 namespace {
@@ -20,7 +21,7 @@ constexpr ObjectOf<RodEntry> kRod{"rod"};
 }  // namespace
 
 void describe_settings(Fields& fields, RodSettings& rod) {
-  fields.field("edges", rod.edges, IntegerOf{1, 10'000'000}, kOptional, "Number of edges (or give edge_length).")
+  fields.field("edges", rod.edges, IntegerOf{1, kMostNodes}, kOptional, "Number of edges (or give edge_length).")
       .field("edge_length", rod.edge_length, NumberOf{Measure::kLength, kPositive}, kOptional,
              "Length that the edges should have (or give edges).")
       .field("material", rod.material, TextOf{false}, kRequired,
