@@ -78,7 +78,7 @@ TEST(DocumentFuzz, DamagedDocumentsAreReadOrRefusedWithAReason) {
             << " too large for this test, " << refused_later << " refused later), longest " << watch.longest()
             << " s\n";
   EXPECT_EQ(accepted + refused, mutants);
-  EXPECT_GT(accepted - large - refused_later, mutants / 50) << "the test no longer reaches deep";
+  EXPECT_GT(accepted - large - refused_later, mutants / 20) << "the test no longer reaches deep";
   EXPECT_GT(refused, mutants / 2);
   EXPECT_LT(watch.longest(), kLongest);
 }
@@ -113,7 +113,8 @@ TEST(DocumentFuzz, HugeCountsAreRefusedWithARemedy) {
     ASSERT_FALSE(system) << text;
     EXPECT_FALSE(system.error().message.empty());
     EXPECT_LT(watch.longest(), kLongest / 5) << text;
-    EXPECT_TRUE(system.error().message.find("between") != std::string::npos || !system.error().hint.empty()) << text;
+    EXPECT_TRUE(system.error().message.find("whole number") != std::string::npos || !system.error().hint.empty())
+        << text;
   }
 }
 

@@ -31,7 +31,14 @@ class Mutator {
 
   std::string mutate(std::string text, const std::string& other) {
     const int changes = 1 + below(4);
-    for (int i = 0; i < changes && !text.empty(); ++i) change(text, other);
+    const bool gentle = below(2) == 0;
+    for (int i = 0; i < changes && !text.empty(); ++i) {
+      if (gentle) {
+        change_number(text, other);
+      } else {
+        change(text, other);
+      }
+    }
     return text;
   }
 
@@ -46,6 +53,49 @@ class Mutator {
     if (begin == std::string::npos) return {0, 1};
     const std::size_t end = text.find_first_not_of(inside, begin);
     return {begin, (end == std::string::npos ? text.size() : end) - begin};
+  }
+
+  /// Begin and length of a number near a random place.
+  std::pair<std::size_t, std::size_t> number(const std::string& text) {
+    const std::size_t begin = text.find_first_of("0123456789", place(text));
+    if (begin == std::string::npos) return {0, 0};
+    const std::size_t end = text.find_first_not_of("0123456789.", begin);
+    return {begin, (end == std::string::npos ? text.size() : end) - begin};
+  }
+
+  /// Keeps the form of the text, so that its meaning is reached: a number becomes another one, of this text or the other, or
+  /// changes by a factor; or a whole line is left out, doubled or moved.
+  void change_number(std::string& text, const std::string& other) {
+    static constexpr const char* kNumbers[] = {"0",   "1",    "2",      "3",       "0.5",   "7",    "100",      "1e-3",
+                                               "1e6", "1e-9", "12345",  "-1",      "-0.25", "1e17", "4e-14",    "0.1",
+                                               "50",  "359",  "999999", "2000000", "1e-18", "360",  "0.333333", "1e30"};
+    const auto [begin, size] = number(text);
+    switch (below(6)) {
+      case 0:
+      case 1:
+        text.replace(begin, size, kNumbers[random_() % std::size(kNumbers)]);
+        break;
+      case 2: {
+        const auto [from, length] = number(text);
+        text.replace(begin, size, text.substr(from, length));
+        break;
+      }
+      case 3: {
+        const auto [from, length] = number(other);
+        text.replace(begin, size, other.substr(from, length));
+        break;
+      }
+      case 4:
+        text.insert(begin + size, 1, "0519."[random_() % 5]);
+        break;
+      default: {
+        const std::size_t start = text.rfind('\n', place(text)) + 1;  // 0 in the first line
+        const std::size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+        const std::string line = text.substr(start, end - start);
+        if (below(2)) text.erase(start, end - start);
+        if (!text.empty() && below(2)) text.insert(text.rfind('\n', place(text)) + 1, line);
+      }
+    }
   }
 
   void change(std::string& text, const std::string& other) {
