@@ -54,6 +54,10 @@ Result<Drawable> read_source(const Arguments& arguments) {
 }
 
 int convert(const Arguments& arguments) {
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.input, arguments.output, none)) {
+    return report({ErrorCode::kConflict, arguments.output, "the output is the input", "name another file"});
+  }
   const Result<Drawable> drawable = read_source(arguments);
   if (!drawable) return report(drawable.error(), arguments.input);
   ConvertCommand command;
