@@ -3,7 +3,6 @@
 
 #include <gridshell_obj.h>
 #include <utility>
-#include <vector>
 
 #include "lissom/core/assert.h"
 #include "lissom/model/import_network.h"
@@ -11,29 +10,6 @@
 #include "scenes/scene_models.h"
 
 namespace lissom::scene_models {
-
-namespace {
-
-/// The ends of the tubes: points of the drawing that one line touches.
-Selector free_ends(const ObjLines& lines, double scale) {
-  std::vector<int> touching(lines.points.size(), 0);
-  for (const auto& segment : lines.segments) {
-    for (const int point : segment) ++touching[point];
-  }
-  Selector ends;
-  ends.kind = Selector::Kind::kUnion;
-  for (size_t i = 0; i < touching.size(); ++i) {
-    if (touching[i] != 1) continue;
-    Selector end;
-    end.kind = Selector::Kind::kPoint;
-    end.point = scale * lines.points[i];
-    end.tolerance = 1e-3;
-    ends.parts.push_back(end);
-  }
-  return ends;
-}
-
-}  // namespace
 
 Model gridshell() {
   const Result<ObjLines> lines = read_obj_lines(kGridshellObj, "scenes/data/gridshell.obj");
@@ -50,7 +26,9 @@ Model gridshell() {
   model.title = "Gridshell of glass-fibre tubes, 12 m by 8 m";
   Pose pose;
   pose.name = "erected";
-  Support support = hold(free_ends(lines.value(), options.scale), SupportKind::kPin);
+  Selector ends;
+  ends.kind = Selector::Kind::kEnds;
+  Support support = hold(ends, SupportKind::kPin);
   support.move_inwards = 0.15;
   pose.supports.push_back(support);
   pose.gravity = Gravity{Vec3(0, 0, -9.81), Scaling::kConstant};

@@ -129,7 +129,7 @@ Model sheet(const std::string& title, const ObjLines& lines, double radius, cons
   options.section.r_n = {radius};
   options.section.r_b = {radius};
   options.edges_per_segment = edges;
-  options.rods = NetworkOptions::Rods::kSegments;
+  options.rods = NetworkRods::kSegments;
   Result<ImportedNetwork> network = import_network(lines, options);
   LISSOM_ASSERT(network.ok());
   network.value().model.title = title;

@@ -38,7 +38,7 @@ Result<NetworkOptions> network_options(const Arguments& arguments) {
   options.material = arguments.material;
   options.section = {.r_n = {radius.value()}, .r_b = {radius.value()}};
   options.edges_per_segment = arguments.edges;
-  options.rods = arguments.rods == "chains" ? NetworkOptions::Rods::kChains : NetworkOptions::Rods::kSegments;
+  options.rods = arguments.rods == "chains" ? NetworkRods::kChains : NetworkRods::kSegments;
   return options;
 }
 
@@ -54,6 +54,10 @@ Result<Drawable> read_source(const Arguments& arguments) {
 }
 
 int convert(const Arguments& arguments) {
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.input, arguments.output, none)) {
+    return report({ErrorCode::kConflict, arguments.output, "the output is the input", "name another file"});
+  }
   const Result<Drawable> drawable = read_source(arguments);
   if (!drawable) return report(drawable.error(), arguments.input);
   ConvertCommand command;

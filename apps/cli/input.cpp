@@ -13,6 +13,10 @@ constexpr std::string_view kScene = "scene:";
 }
 
 Result<Document> read_input(const std::string& input) {
+  if (std::filesystem::path(input).extension() == ".obj") {
+    return Error{ErrorCode::kUnsupported, input, "a drawing has no materials, sections and supports",
+                 "name it in the networks of a document, or make one with `lissom convert`"};
+  }
   if (!input.starts_with(kScene)) return read_document_file(input);
   const std::string name = input.substr(kScene.size());
   std::vector<std::string> known;

@@ -60,6 +60,7 @@ Run::Run(const RunOptions& options) : terminal_(standard_error_is_terminal()) {
   context_.cancel = &interrupted;
   if (options.progress || terminal_) context_.progress = [this](const Progress& p) { show(p); };
   std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
 }
 
 Run::~Run() { clear_line(); }

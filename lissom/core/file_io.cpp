@@ -1,5 +1,6 @@
 #include "lissom/core/file_io.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -103,6 +104,37 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t limit) {
   }
   if (std::ferror(file.get())) return file_error(path, "reading failed: " + reason(errno));
   return bytes;
+}
+
+Result<std::string> read_file_below(const fs::path& folder, const std::string& name, std::uintmax_t limit) {
+  const auto refuse = [&](std::string message, std::string hint) {
+    return Error{ErrorCode::kFile, {}, std::move(message), std::move(hint)};
+  };
+  const std::string quoted = '"' + name + '"';
+  constexpr const char* kInside = "put it into the folder of the document and name it from there, such as \"roof.obj\"";
+  bool odd = name.empty();
+  for (const char c : name) odd = odd || c == '\\' || c == ':' || static_cast<unsigned char>(c) < ' ';
+  if (odd) return refuse(quoted + " is not a portable path", "use letters, digits and forward slashes");
+  const fs::path relative(std::u8string(name.begin(), name.end()));
+  bool outside = relative.has_root_path();
+  for (const fs::path& step : relative) outside = outside || step == "..";
+  if (outside) return refuse(quoted + " leads out of the folder of the document", kInside);
+  std::error_code code;
+  const fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, code);
+  if (code) return refuse("the folder \"" + folder.string() + "\" cannot be entered: " + code.message(), {});
+  const fs::path path = fs::canonical(base / relative, code);
+  if (code == std::errc::no_such_file_or_directory || code == std::errc::not_a_directory) {
+    return refuse("there is no file " + quoted,
+                  "it was looked for in " + (folder.empty() ? std::string("the current folder") : folder.string()));
+  }
+  if (code) return refuse(quoted + " cannot be reached: " + code.message(), {});
+  const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());
+  if (in_base != base.end()) return refuse(quoted + " is a link that leads out of the folder of the document", kInside);
+  if (fs::is_directory(path, code)) return refuse(quoted + " is a folder, not a file", "name a file inside it");
+  if (!fs::is_regular_file(path, code)) return refuse(quoted + " is not an ordinary file", kInside);
+  Result<std::string> bytes = read_file(path, limit);
+  if (bytes) return bytes;
+  return refuse(quoted + ": " + bytes.error().message, bytes.error().hint);
 }
 
 Status write_file(const fs::path& path, std::string_view bytes) {

@@ -16,6 +16,11 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;  ///< bytes tha
 /// The bytes of a file. Errors name the path and the reason: missing, a folder, no permission, larger than `limit` bytes.
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit = kLargestFile);
 
+/// The bytes of a file that a document names: a path relative to `folder` (empty: the current one) with forward slashes
+/// that stays inside the folder, also when symbolic links are followed. Errors have no `where`; they name the file.
+Result<std::string> read_file_below(const std::filesystem::path& folder, const std::string& name,
+                                    std::uintmax_t limit = kLargestFile);
+
 /// Replaces `path` by `bytes`: a temporary file in the same folder, flushed to the disk, then renamed. Keeps the permissions
 /// of a file that it replaces and follows symbolic links; devices and pipes are written directly.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -23,10 +23,11 @@ size_t PointGrid::slot(int64_t x, int64_t y, int64_t z) const {
 }
 
 int PointGrid::insert(const Vec3& p) {
+  if (points_.empty()) origin_ = p;
   // The shift keeps regular grids off the cell borders, where up to eight cells would have to be searched.
   const Vec3 shift(0.3819660, 0.4142136, 0.3027756);
   const auto cell = [&](double offset) -> Eigen::Matrix<int64_t, 3, 1> {
-    return ((p.array() + offset) * inverse_cell_ + shift.array()).floor().cast<int64_t>();
+    return (((p - origin_).array() + offset) * inverse_cell_ + shift.array()).floor().cast<int64_t>();
   };
   const auto low = cell(-distance_), high = cell(distance_), own = cell(0);
   int first = std::numeric_limits<int>::max();

@@ -23,6 +23,7 @@ class PointGrid {
   size_t slot(int64_t x, int64_t y, int64_t z) const;
 
   double distance_, inverse_cell_;
+  Vec3 origin_ = Vec3::Zero();  ///< first point: cells are counted from there, so that far places need no large numbers
   std::vector<Vec3> points_;
   std::vector<int> head_, next_;  ///< chains of points by slot
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "lissom/model/limits.h"
 #include "lissom/model/sampling.h"
 
 namespace lissom {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr int kDefaultEdges = 10;
 constexpr double kDefaultTurning = std::numbers::pi / 18;  // rad per edge
-constexpr double kMostEdges = 1e7;                         // of one rod: beyond this the input is a slip
 
 TurnedPoint turned(const Arc& arc) { return {arc.centre, arc.start, arc.axis, arc.angle, 0, arc.closed}; }
 
@@ -82,9 +82,9 @@ Result<int> edge_count(const Rod& rod, double refine, const std::string& where) 
     edges = std::max<double>(m.minimum_edges, std::round(m.length / rod.edge_length));
   }
   edges = std::max<double>(m.minimum_edges, std::round(edges * refine));
-  if (!(edges <= kMostEdges)) {
+  if (!(edges <= kMostNodes)) {
     return Error{ErrorCode::kRange, where, fmt::format("the rod would be cut into {:g} edges", edges),
-                 fmt::format("use longer edges: at most {:g} per rod", kMostEdges)};
+                 fmt::format("use fewer or longer edges: at most {} per rod", kMostNodes)};
   }
   return static_cast<int>(edges);
 }

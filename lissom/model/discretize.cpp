@@ -7,6 +7,7 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/geometry/point_grid.h"
 #include "lissom/model/discretize_parts.h"
+#include "lissom/model/limits.h"
 #include "lissom/model/sampling.h"
 #include "lissom/model/structure.h"
 
@@ -45,7 +46,6 @@ namespace {
 
 constexpr double kDefaultMerge = 1e-6;  // of the size of the structure
 constexpr size_t kShownRemarks = 8;     // of one kind
-constexpr double kMostNodes = 2e7;      // in all: beyond this the input is a slip
 
 Section section_at(const SectionProfile& profile, double place, bool closed) {
   const auto value = [&](const std::vector<double>& controls) {
@@ -87,16 +87,20 @@ Status check_rod(const Model& model, size_t r) {
 Status sample_rods(Draft& draft, double refine) {
   const Model& model = draft.model;
   double nodes = 0;
+  std::vector<int> counts;
   for (size_t r = 0; r < model.rods.size(); ++r) {
     if (Status s = check_rod(model, r); !s) return s;
     const Result<int> edges = edge_count(model.rods[r], refine, rod_place(r));
     if (!edges) return edges.error();
+    counts.push_back(edges.value());
     nodes += edges.value() + 1;
     if (nodes > kMostNodes) {
-      return Error{ErrorCode::kRange, rod_place(r), "the structure would have more than 20 million nodes",
-                   "use longer edges"};
+      return Error{ErrorCode::kRange, rod_place(r),
+                   fmt::format("the structure would have more than {} nodes", kMostNodes), "use fewer or longer edges"};
     }
-    Result<CurveSamples> samples = sample(model.rods[r].curve, edges.value(), rod_place(r) + "/curve");
+  }
+  for (size_t r = 0; r < model.rods.size(); ++r) {
+    Result<CurveSamples> samples = sample(model.rods[r].curve, counts[r], rod_place(r) + "/curve");
     if (!samples) return samples.error();
     CurveSamples cut = std::move(samples).value();
     draft.drawn.push_back({std::move(cut.points), std::move(cut.tangents), {}, {}, {}, cut.closed});
@@ -221,6 +225,9 @@ Result<Structure> discretize(const Model& model, double refine) {
     return Error{ErrorCode::kGeometry, "/rods", "there is no rod", "describe at least one"};
   }
   Draft draft{model, {}, {}, {}, {}, {}};
+  for (const NetworkFile& file : model.network_files) {
+    draft.structure.notes.insert(draft.structure.notes.end(), file.notes.begin(), file.notes.end());
+  }
   if (Status s = sample_rods(draft, refine); !s) return s.error();
   if (Status s = merge_nodes(draft); !s) return s.error();
   set_edges(draft);
@@ -228,7 +235,9 @@ Result<Structure> discretize(const Model& model, double refine) {
   set_drawn_frames(draft);
   if (Status s = set_rest_shapes(draft); !s) return s.error();
   if (Status s = set_joints_and_pairs(draft); !s) return s.error();
+  if (Status s = check_supports(draft); !s) return s.error();
   note_turning_angles(draft);
+  note_loose_ends(draft);
   return std::move(draft.structure);
 }
 

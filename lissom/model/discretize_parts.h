@@ -71,8 +71,12 @@ Frame connection_rest(const Draft& draft, int rod, int edge, bool at_end);
 /// discretize_joints.cpp: joints of the network and of the poses, and the pairs that no joint replaces.
 Status set_joints_and_pairs(Draft& draft);
 
-/// discretize_notes.cpp: remarks on turning angles.
+/// discretize_supports.cpp: refuses poses in which a later support takes back the movement of an earlier one.
+Status check_supports(const Draft& draft);
+
+/// discretize_notes.cpp: remarks on turning angles, and on rod ends that lie on a rod or next to one without a joint.
 void note_turning_angles(Draft& draft);
+void note_loose_ends(Draft& draft);
 
 /// The frame that makes `strain` with `first`, the inverse of pair_strain. Advancing by the negative strain goes back.
 Frame advanced(const Frame& first, const PairStrain& strain);

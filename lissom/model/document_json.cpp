@@ -1,4 +1,5 @@
 #include <charconv>
+#include <span>
 
 #include "lissom/model/document.h"
 #include "lissom/model/entries_json.h"
@@ -121,7 +122,7 @@ struct DocumentEntry {
   UnitsEntry units;
   Model model;
   JointsEntry joints;
-  std::vector<std::vector<Rod>> networks;
+  std::vector<NetworkPart> networks;
 };
 
 void describe(Fields& fields, JointsEntry& joints) {
@@ -159,10 +160,23 @@ void describe(Fields& fields, DocumentEntry& document) {
 
 constexpr ObjectOf<DocumentEntry> kDocument{"document"};
 
-Model assembled(DocumentEntry&& document) {
+/// Which entry of "networks" the rods after the plain ones come from.
+struct NetworkPlace {
+  std::size_t entry = 0, rods = 0;
+  bool from_file = false;
+};
+
+/// Plain rods first, then those of networks, those read from files last: then the files can be named again.
+Model assembled(DocumentEntry&& document, std::vector<NetworkPlace>& places) {
   Model model = std::move(document.model);
-  for (std::vector<Rod>& network : document.networks) {
-    for (Rod& rod : network) model.rods.push_back(std::move(rod));
+  for (const bool files : {false, true}) {
+    for (std::size_t i = 0; i < document.networks.size(); ++i) {
+      NetworkPart& part = document.networks[i];
+      if (part.file.has_value() != files) continue;
+      places.push_back({i, part.rods.size(), files});
+      for (Rod& rod : part.rods) model.rods.push_back(std::move(rod));
+      if (files) model.network_files.push_back(std::move(*part.file));
+    }
   }
   model.joint_kind = document.joints.kind;
   model.joint_weights = document.joints.weights;
@@ -171,9 +185,29 @@ Model assembled(DocumentEntry&& document) {
   return model;
 }
 
+/// Moves the rods that are as their files say from the plain rods to networks. All or nothing: the order of rods counts.
+void name_files(DocumentEntry& document) {
+  std::vector<Rod>& rods = document.model.rods;
+  std::size_t count = 0;
+  for (const NetworkFile& file : document.model.network_files) count += static_cast<std::size_t>(file.rod_count);
+  if (count > rods.size()) return;
+  const std::size_t plain = rods.size() - count;
+  std::size_t first = plain;
+  std::vector<NetworkPart> networks;
+  for (const NetworkFile& file : document.model.network_files) {
+    const std::size_t size = static_cast<std::size_t>(file.rod_count);
+    const std::span<const Rod> own(rods.data() + first, size);
+    if (size == 0 || fingerprint(own) != file.fingerprint) return;
+    networks.push_back({{own.begin(), own.end()}, file});
+    first += size;
+  }
+  rods.resize(plain);
+  document.networks = std::move(networks);
+}
+
 /// Rods of networks come after the others; a mistake in one of them is reported where the document says it.
 std::string place_in_document(const std::string& where, std::size_t plain_rods,
-                              const std::vector<std::size_t>& networks) {
+                              const std::vector<NetworkPlace>& networks) {
   constexpr std::string_view kRods = "/rods/";
   if (!where.starts_with(kRods)) return where;
   std::size_t index = 0;
@@ -181,13 +215,15 @@ std::string place_in_document(const std::string& where, std::size_t plain_rods,
   const auto [rest, code] = std::from_chars(where.data() + kRods.size(), end, index);
   if (code != std::errc() || index < plain_rods) return where;
   index -= plain_rods;
-  for (std::size_t i = 0; i < networks.size(); ++i) {
-    if (index >= networks[i]) {
-      index -= networks[i];
+  for (const NetworkPlace& place : networks) {
+    if (index >= place.rods) {
+      index -= place.rods;
       continue;
     }
-    const std::string network = "/networks/" + std::to_string(i), tail(rest, end);
-    return tail.empty() || tail.starts_with("/polyline") ? network + "/lines/" + std::to_string(index) : network + tail;
+    const std::string network = "/networks/" + std::to_string(place.entry), tail(rest, end);
+    const bool in_curve = tail.empty() || tail.starts_with("/polyline") || tail.starts_with("/line");
+    if (!in_curve) return network + tail;
+    return network + (place.from_file ? "/file" : "/lines/" + std::to_string(index));
   }
   return where;
 }
@@ -221,9 +257,8 @@ Result<Model> read_document(std::string_view text, const std::filesystem::path& 
   kDocument.read(reader, json.value(), document);
   if (reader.failed()) return reader.error();
   const std::size_t plain_rods = document.model.rods.size();
-  std::vector<std::size_t> networks;
-  for (const std::vector<Rod>& network : document.networks) networks.push_back(network.size());
-  Model model = assembled(std::move(document));
+  std::vector<NetworkPlace> networks;
+  Model model = assembled(std::move(document), networks);
   if (const Status status = model.validate(); !status) {
     Error error = status.error();
     error.where = place_in_document(error.where, plain_rods, networks);
@@ -232,9 +267,10 @@ Result<Model> read_document(std::string_view text, const std::filesystem::path& 
   return model;
 }
 
-std::string write_document(const Model& model) {
+std::string write_document(const Model& model, NetworkText networks) {
   DocumentEntry document;
   document.model = model;
+  if (networks == NetworkText::kFiles) name_files(document);
   document.joints = {model.joint_kind, model.joint_weights, model.joints, model.merge_distance};
   return print_json(kDocument.write(document));
 }

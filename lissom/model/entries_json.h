@@ -1,7 +1,9 @@
 #pragma once
 /// Codecs of the parts that several files of the document reader share.
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,18 +51,39 @@ struct SectionOf {
   JsonValue schema(Schema& schema) const;
 };
 
+/// What rods have in common besides their curve.
+struct RodSettings {
+  int edges = 0;
+  double edge_length = 0;
+  std::string material;
+  SectionProfile section;
+  MaterialAxes axes;
+  Natural natural;
+};
+void describe_settings(Fields& fields, RodSettings& rod);
+void apply(Reader& reader, const RodSettings& settings, Rod& rod);
+
 struct RodOf {
   void read(Reader& reader, const JsonValue& json, Rod& rod) const;
   JsonValue write(const Rod& rod) const;
   JsonValue schema(Schema& schema) const;
 };
 
-/// A line network, expanded into one rod per line.
+/// One entry of "networks": the rods that it stands for, and the file when it names one.
+struct NetworkPart {
+  std::vector<Rod> rods;
+  std::optional<NetworkFile> file;
+};
+
+/// A line network, expanded into rods. Only those that name a file are written.
 struct NetworkOf {
-  void read(Reader& reader, const JsonValue& json, std::vector<Rod>& rods) const;
-  JsonValue write(const std::vector<Rod>&) const { return {}; }
+  void read(Reader& reader, const JsonValue& json, NetworkPart& part) const;
+  JsonValue write(const NetworkPart& part) const;
   JsonValue schema(Schema& schema) const;
 };
+
+/// A number that changes with anything in a document that describes these rods.
+std::uint64_t fingerprint(std::span<const Rod> rods);
 
 /// How a document names nodes.
 struct SelectorOf {

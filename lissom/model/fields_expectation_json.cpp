@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "lissom/model/entries_json.h"
+#include "lissom/model/limits.h"
 
 namespace lissom {
 namespace {
@@ -134,7 +135,7 @@ void describe(Fields& fields, ExpectationEntry& entry) {
       .field("mode", entry.mode, IntegerOf{}, kOptional, "Number of a mode, 0 is the lowest.")
       .field("mode_kind", e.mode_kind, TextOf(), kOptional,
              "Which modes are counted: \"bending\", \"axial\" or \"torsional\".")
-      .field("edges", e.edges, ListOf<IntegerOf>{{1, 10'000'000}, 1}, kOptional,
+      .field("edges", e.edges, ListOf<IntegerOf>{{1, kMostNodes}, 1}, kOptional,
              "Numbers of edges, for orders of convergence and extrapolated values.")
       .field("combine", e.combine, TextOf{false}, kOptional,
              "What is made of several measurements: \"difference\", \"ratio\", \"order\" or \"limit\".")

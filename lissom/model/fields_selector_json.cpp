@@ -3,9 +3,6 @@
 namespace lissom {
 namespace {
 
-constexpr std::pair<std::string_view, Selector::Kind> kWords[] = {
-    {"all", Selector::Kind::kAll}, {"joints", Selector::Kind::kJoints}, {"boundary", Selector::Kind::kBoundary}};
-
 /// "start", "end", or a fraction of the rod's length.
 struct PlaceOf {
   void read(Reader& reader, const JsonValue& json, double& fraction) const {
@@ -89,7 +86,7 @@ void SelectorOf::read(Reader& reader, const JsonValue& json, Selector& selector)
   if (json.is(JsonValue::Kind::kString)) {
     if (json.text.empty()) return reader.fail(ErrorCode::kUnknown, "the name of the set is empty");
     selector.kind = Selector::Kind::kSet;
-    for (const auto& [word, kind] : kWords) {
+    for (const auto& [word, kind] : selector_words()) {
       if (word == json.text) selector.kind = kind;
     }
     if (selector.kind == Selector::Kind::kSet) selector.name = json.text;
@@ -106,7 +103,7 @@ void SelectorOf::read(Reader& reader, const JsonValue& json, Selector& selector)
 }
 
 JsonValue SelectorOf::write(const Selector& selector) const {
-  for (const auto& [word, kind] : kWords) {
+  for (const auto& [word, kind] : selector_words()) {
     if (kind == selector.kind) return JsonValue::string(word);
   }
   SelectorEntry entry;

@@ -103,7 +103,7 @@ class Chains {
   /// The segment that continues `segment` through its end `point`, or -1.
   int next(int segment, int point) const {
     const std::vector<int>& here = lines_.at_point[static_cast<size_t>(point)];
-    if (options_.rods == NetworkOptions::Rods::kSegments || here.size() != 2) return -1;
+    if (options_.rods == NetworkRods::kSegments || here.size() != 2) return -1;
     const int other = here[0] == segment ? here[1] : here[0];
     const Vec3 in = place(point) - place(far_end(segment, point)), out = place(far_end(other, point)) - place(point);
     return std::atan2(in.cross(out).norm(), in.dot(out)) <= options_.chain_angle ? other : -1;

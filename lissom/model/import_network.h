@@ -17,11 +17,8 @@ struct NetworkOptions {
   MaterialAxes axes;       ///< of every rod
   JointKind joint_kind = JointKind::kExplicit;
   int edges_per_segment = 4;  ///< of each straight piece of the drawing
-  enum class Rods {
-    kChains,    ///< pieces that follow each other smoothly through points of two lines are one rod
-    kSegments,  ///< every straight piece is a rod
-  } rods = Rods::kChains;
-  double chain_angle = 0.5235987755982988;  ///< rad, sharper corners end a chain (30 degrees)
+  NetworkRods rods = NetworkRods::kChains;
+  double chain_angle = kChainAngle;  ///< rad
 };
 
 struct ImportedNetwork {

@@ -12,6 +12,7 @@
 #include "lissom/model/expectation.h"
 #include "lissom/model/material.h"
 #include "lissom/model/motion_case.h"
+#include "lissom/model/network_file.h"
 #include "lissom/model/pose.h"
 #include "lissom/model/section.h"
 #include "lissom/model/selector.h"
@@ -85,6 +86,7 @@ struct Model {
   std::string source;               ///< where the description comes from
   std::vector<Material> materials;  ///< besides the library
   std::vector<Rod> rods;
+  std::vector<NetworkFile> network_files;  ///< files from which the last of the rods were read
   JointKind joint_kind = JointKind::kExplicit;
   JointWeights joint_weights = JointWeights::kEnergy;
   std::vector<JointChoice> joints;  ///< exceptions from joint_kind

@@ -13,6 +13,11 @@ namespace {
 
 using Nodes = std::vector<int>;
 
+constexpr SelectorWord kWords[] = {{"all", Selector::Kind::kAll},
+                                   {"joints", Selector::Kind::kJoints},
+                                   {"ends", Selector::Kind::kEnds},
+                                   {"boundary", Selector::Kind::kBoundary}};
+
 void sort_unique(Nodes& nodes) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -42,6 +47,8 @@ class Selection {
         const std::vector<int> passages = count_passages(structure_);
         return where_true([&](size_t i) { return passages[i] > 1; });
       }
+      case Selector::Kind::kEnds:
+        return free_ends();
       case Selector::Kind::kBoundary:
         return boundary_nodes(structure_);
       case Selector::Kind::kUnion:
@@ -56,6 +63,18 @@ class Selection {
     Nodes nodes;
     for (size_t i = 0; i < structure_.nodes.size(); ++i) {
       if (predicate(i)) nodes.push_back(static_cast<int>(i));
+    }
+    return nodes;
+  }
+
+  Nodes free_ends() const {
+    const std::vector<int> passages = count_passages(structure_);
+    Nodes nodes;
+    for (const StructureRod& rod : structure_.rods) {
+      if (rod.closed) continue;
+      for (const int node : {rod.nodes.front(), rod.nodes.back()}) {
+        if (passages[static_cast<size_t>(node)] == 1) nodes.push_back(node);
+      }
     }
     return nodes;
   }
@@ -144,6 +163,8 @@ class Selection {
 };
 
 }  // namespace
+
+std::span<const SelectorWord> selector_words() { return kWords; }
 
 Result<std::vector<int>> select(const Model& model, const Structure& structure, const Selector& selector,
                                 const std::string& where) {

@@ -1,7 +1,9 @@
 #pragma once
 /// How a document names nodes: ends of rods, places along them, points in space, boxes, named sets, and unions of these.
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lissom/core/types.h"
@@ -17,6 +19,7 @@ struct Selector {
     kPoint,     ///< the node nearest to `point`; must lie within `tolerance`
     kBox,       ///< nodes with low <= x <= high
     kJoints,    ///< every node where rods meet: ends of two or more, or an end on or a crossing with a rod that passes
+    kEnds,      ///< every end of a rod at which no other rod ends or passes
     kBoundary,  ///< outer loop of a line network: its nodes where rods meet or end, all of them on a ring, else free ends
     kUnion,     ///< all of `parts`
   };
@@ -28,6 +31,13 @@ struct Selector {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m
   std::vector<Selector> parts;
 };
+
+/// A kind of selector that is one word in documents and on the command line.
+struct SelectorWord {
+  std::string_view word;
+  Selector::Kind kind;
+};
+std::span<const SelectorWord> selector_words();
 
 struct NamedSet {
   std::string name;

@@ -3,6 +3,8 @@
 
 #include "lissom/core/nearest_name.h"
 #include "lissom/model/json_value.h"
+#include "lissom/model/limits.h"
+#include "lissom/model/units.h"
 #include "lissom/model/validate_parts.h"
 
 namespace lissom {
@@ -48,8 +50,8 @@ struct SetWalk {
 void check_sets(Checker& check, const Model& model) {
   for (std::size_t i = 0; i < model.sets.size() && !check.failed(); ++i) {
     const std::string where = "/sets/" + pointer_step(model.sets[i].name);
-    for (const char* word : {"all", "joints", "boundary"}) {
-      if (model.sets[i].name == word) {
+    for (const SelectorWord& known : selector_words()) {
+      if (model.sets[i].name == known.word) {
         return check.fail(ErrorCode::kConflict, where, "\"" + model.sets[i].name + "\" is a built-in selection",
                           "choose another name");
       }
@@ -90,16 +92,26 @@ void Checker::take(const Status& status) {
 }
 
 void Checker::finite(double value, const std::string& where) {
-  if (!std::isfinite(value)) fail(ErrorCode::kRange, where, "this number is not finite");
+  if (!std::isfinite(value)) {
+    fail(ErrorCode::kRange, where, "this number is not finite");
+  } else if (std::abs(value) > kLargest) {
+    fail(ErrorCode::kRange, where, "this number is too large: " + number_text(value) + " in SI units",
+         "is its unit the right one?");
+  }
 }
 
 void Checker::finite(const Vec3& value, const std::string& where) {
   if (!value.allFinite()) fail(ErrorCode::kRange, where, "these numbers are not finite");
+  if (!failed()) finite(value.cwiseAbs().maxCoeff(), where);
 }
 
 void Checker::positive(double value, const std::string& where, const std::string& what) {
   finite(value, where);
   if (!(value > 0)) fail(ErrorCode::kRange, where, "the " + what + " has to be positive");
+  if (value > 0 && value < kSmallest) {
+    fail(ErrorCode::kRange, where, "the " + what + " is too small: " + number_text(value) + " in SI units",
+         "is its unit the right one?");
+  }
 }
 
 void Checker::not_negative(double value, const std::string& where, const std::string& what) {
@@ -133,6 +145,7 @@ void Checker::selector(const Selector& selector, const std::string& where) {
   switch (selector.kind) {
     case Selector::Kind::kAll:
     case Selector::Kind::kJoints:
+    case Selector::Kind::kEnds:
     case Selector::Kind::kBoundary:
       return;
     case Selector::Kind::kSet:
@@ -179,7 +192,10 @@ Status Model::validate() const {
   check.distinct(check.poses, "pose", listed("poses"));
   check.distinct(motion_names, "motion", listed("motions"));
   for (std::size_t i = 0; i < materials.size() && !check.failed(); ++i) {
-    check.take(materials[i].validate("/materials/" + pointer_step(own[i])));
+    const std::string where = "/materials/" + pointer_step(own[i]);
+    check.take(materials[i].validate(where));
+    check.positive(materials[i].youngs_modulus, where + "/youngs_modulus", "Young's modulus");
+    check.finite(materials[i].density, where + "/density");
   }
   if (rods.empty())
     check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods", "add some to \"rods\" or \"networks\"");

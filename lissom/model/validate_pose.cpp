@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/limits.h"
 #include "lissom/model/units.h"
 #include "lissom/model/validate_parts.h"
 
@@ -164,6 +165,11 @@ void check_motion(Checker& check, const MotionCase& motion, const std::string& w
   check.positive(motion.step, where + "/step", "time step");
   if (motion.step > motion.duration) {
     check.fail(ErrorCode::kConflict, where + "/step", "the time step is longer than the motion", "shorten it");
+  }
+  if (motion.duration > kMostSteps * motion.step) {
+    check.fail(ErrorCode::kRange, where + "/step",
+               "the motion would take " + number_text(std::ceil(motion.duration / motion.step)) + " steps",
+               "use longer steps or a shorter duration: at most " + number_text(kMostSteps) + " steps");
   }
   check.not_negative(motion.record_every, where + "/record_every", "time between recorded states");
   check.positive(motion.error_tolerance, where + "/error_tolerance", "error tolerance");

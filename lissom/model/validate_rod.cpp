@@ -2,13 +2,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "lissom/model/limits.h"
 #include "lissom/model/units.h"
 #include "lissom/model/validate_parts.h"
 
 namespace lissom {
 namespace {
 
-constexpr int kMostEdges = 10'000'000;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
 void check_points(Checker& check, const std::vector<Vec3>& points, bool closed, const std::string& where) {
@@ -167,6 +167,10 @@ void check_curve(Checker& check, const Curve& curve, const std::string& where) {
     check.finite(helix.turns, where + "/helix/turns");
     if (helix.turns == 0)
       check.fail(ErrorCode::kGeometry, where + "/helix/turns", "the number of turns must not be zero");
+    if (std::abs(helix.turns) > kMostTurns) {
+      check.fail(ErrorCode::kRange, where + "/helix/turns",
+                 "a helix has at most " + std::to_string(kMostTurns) + " turns", "use fewer turns");
+    }
   }
 }
 
@@ -177,11 +181,12 @@ void check_rod(Checker& check, const Rod& rod, const std::string& where) {
   check_axes(check, rod.axes, where + "/axes");
   check_line_normal(check, rod.curve, rod.axes, where);
   check_natural(check, rod, where + "/natural");
-  if (rod.edges < 0 || rod.edges > kMostEdges) {
+  if (rod.edges < 0 || rod.edges > kMostNodes) {
     check.fail(ErrorCode::kRange, where + "/edges",
-               "the number of edges has to be between 1 and " + std::to_string(kMostEdges));
+               "the number of edges has to be between 1 and " + std::to_string(kMostNodes), "use fewer edges");
   }
   check.not_negative(rod.edge_length, where + "/edge_length", "edge length");
+  if (rod.edge_length > 0) check.positive(rod.edge_length, where + "/edge_length", "edge length");
   if (rod.edges > 0 && rod.edge_length > 0) {
     check.fail(ErrorCode::kConflict, where, "both \"edges\" and \"edge_length\" are given", "keep one of them");
   }

@@ -26,7 +26,10 @@ struct Writer {
   Result<std::string> (*bytes)(const Request&);
 };
 constexpr Writer kWriters[] = {
-    {".lissom", [](const Request& r) -> Result<std::string> { return write_document(r.drawable.document.model); }},
+    {".lissom",
+     [](const Request& r) -> Result<std::string> {
+       return write_document(r.drawable.document.model, NetworkText::kRods);
+     }},
     {".obj",
      [](const Request& r) {
        return r.command.obj == ObjContent::kSurfaces ? obj_surfaces(r.drawing) : obj_centrelines(r.drawing);

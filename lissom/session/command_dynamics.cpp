@@ -132,6 +132,7 @@ Result<std::vector<PlayedMotion>> dynamics_command(const Document& document, con
   const Result<System> system = make_system(model);
   if (!system) return system.error();
   Output output(command.folder);
+  if (const Status s = output.prepare(); !s) return s.error();
   std::vector<PlayedMotion> results;
   std::vector<std::string> stems;
   for (const int m : motions.value()) {

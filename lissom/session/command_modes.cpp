@@ -96,6 +96,7 @@ Result<std::vector<PoseModes>> modes_command(const Document& document, const Mod
   if (!made) return made.error();
   const System& system = made.value();
   Output output(command.folder);
+  if (const Status s = output.prepare(); !s) return s.error();
   const std::vector<std::string> stems = pose_file_names(document);
   std::vector<PoseModes> results;
   for (const int p : poses.value()) {

@@ -34,6 +34,8 @@ LoadPath load_path(const Pose& pose, const PathCommand& command) {
 }
 
 Status check_path(const LoadPath& path) {
+  if (const Status s = check_load_factor(path.from, "--from"); !s) return s;
+  if (const Status s = check_load_factor(path.to, "--to"); !s) return s;
   if (path.from == path.to) {
     return Error{ErrorCode::kRange, "--to", "the path begins and ends at the same load factor",
                  "choose another --from or --to"};
@@ -153,6 +155,7 @@ Result<std::vector<FollowedPose>> path_command(const Document& document, const P
     watched = std::move(nodes).value();
   }
   Output output(command.folder);
+  if (const Status s = output.prepare(); !s) return s.error();
   const std::vector<std::string> stems = pose_file_names(document);
   std::vector<FollowedPose> results;
   for (const int p : poses.value()) {

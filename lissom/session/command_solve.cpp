@@ -46,6 +46,7 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
 Result<std::vector<SolvedPose>> solve_command(const Document& document, const SolveCommand& command,
                                               const Context& context) {
   if (const Status s = command.options.validate(); !s) return s.error();
+  if (const Status s = check_load_factor(command.load_factor, "--load-factor"); !s) return s.error();
   std::vector<std::string> wanted = command.poses;
   if (command.resume && wanted.empty()) wanted = {command.resume->pose};
   const Result<std::vector<int>> poses = pose_numbers(document.model, wanted);
@@ -60,6 +61,7 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
     if (const Status s = check_state(system, command.resume->state); !s) return s.error();
   }
   Output output(command.folder);
+  if (const Status s = output.prepare(); !s) return s.error();
   const std::vector<std::string> stems = pose_file_names(document);
   std::vector<SolvedPose> results;
   for (const int p : poses.value()) {

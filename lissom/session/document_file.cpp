@@ -23,7 +23,8 @@ Result<Document> read_document_file(const std::filesystem::path& path) {
 
 std::string document_hash(const Model& model) {
   std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : write_document(model)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  for (const char c : write_document(model, NetworkText::kRods))
+    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return fmt::format("{:016x}", hash);
 }
 

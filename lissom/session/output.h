@@ -11,12 +11,14 @@ namespace lissom {
 
 class Output {
  public:
-  /// The folder is made when the first file is written.
+  /// The folder is made by prepare(), or when the first file is written.
   explicit Output(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   const std::filesystem::path& folder() const { return folder_; }
   const std::vector<std::filesystem::path>& written() const { return written_; }
 
+  /// Makes the folder and tries to write there: long work should not end in a folder that cannot take its result.
+  Status prepare() const;
   /// Replaces `name` in the folder as a whole or not at all.
   Status write(const std::filesystem::path& name, const std::string& bytes);
   /// The same for bytes that may not have come about.

@@ -24,9 +24,9 @@ double fraction_of(const std::string& text) {
 
 Result<Selector> parse_place(const Model& model, const std::string& text, const std::string& where) {
   Selector selector;
-  if (text == "all") return selector;
-  if (text == "joints" || text == "boundary") {
-    selector.kind = text == "joints" ? Selector::Kind::kJoints : Selector::Kind::kBoundary;
+  for (const SelectorWord& word : selector_words()) {
+    if (text != word.word) continue;
+    selector.kind = word.kind;
     return selector;
   }
   std::vector<std::string> known;

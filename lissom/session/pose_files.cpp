@@ -1,8 +1,11 @@
 #include "lissom/session/pose_files.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/limits.h"
 
 namespace lissom {
 
@@ -23,6 +26,12 @@ Result<std::vector<int>> pose_numbers(const Model& model, const std::vector<std:
   if (!numbers.empty()) return numbers;
   return Error{ErrorCode::kConflict, "/poses", "the document has no pose, so there is nothing to solve",
                "add one that says what is held and loaded"};
+}
+
+Status check_load_factor(double factor, const std::string& option) {
+  if (std::abs(factor) <= kLargest) return {};
+  return Error{ErrorCode::kRange, option, fmt::format("the load factor is {:g}", factor),
+               "give a number such as 1: it multiplies loads and prescribed motions"};
 }
 
 std::vector<std::string> pose_file_names(const Document& document) {

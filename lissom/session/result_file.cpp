@@ -85,7 +85,7 @@ std::string result_text(const Document& document, const Pose& pose, const System
   json["document"] = {{"name", document.name},
                       {"title", document.model.title},
                       {"hash", document_hash(document.model)},
-                      {"text", write_document(document.model)}};
+                      {"text", write_document(document.model, NetworkText::kRods)}};
   json.update(summary_of(pose, system, removed_motions, equilibrium));
   json["records"] = records_of(equilibrium);
   const VecX& reaction = equilibrium.reaction;

@@ -221,6 +221,25 @@ class Files(tool.ToolTest):
         self.run_tool("convert", "beam.lissom", "beam.stl", code=3)
         self.run_tool("convert", "beam.obj", "x.lissom", "--unit", "second", code=3)
 
+    def test_a_document_may_name_a_drawing(self):
+        self.write("net.obj", "v 0 0 0\nv 100 0 0\nv 200 0 0\nv 100 100 0\nl 1 2 3\nl 2 4\n")
+        network = {"name": "net", "file": "net.obj", "unit": "mm", "edges": 4, "material": "PLA", "section": {"radius": "1 mm"}}
+        pose = {"name": "held", "supports": [{"at": {"rod": "net-0", "at": "start"}, "hold": "clamp"}], "gravity": True}
+        self.write("net.lissom", {"lissom": 1, "networks": [network], "poses": [pose]})
+        self.run_tool("solve", "net.lissom")
+        (self.folder / "net.obj").rename(self.folder / "gone.obj")
+        _, err = self.run_tool("solve", "net.lissom", code=4)
+        self.assertIn('/networks/0/file: there is no file "net.obj"', err)
+        self.run_tool("convert", "out/net-held.json", "whole.lissom")  # a result does not need it
+        self.assertEqual(len(self.result("whole.lissom")["rods"]), 3)
+        _, err = self.run_tool("solve", "gone.obj", code=3)
+        self.assertIn("lissom convert", err)
+
+    def test_convert_does_not_overwrite_what_it_reads(self):
+        self.write("net.obj", "v 0 0 0\nv 100 0 0\nl 1 2\n")
+        _, err = self.run_tool("convert", "net.obj", "./net.obj", code=3)
+        self.assertIn("the output is the input", err)
+
     def test_schema_is_the_published_one(self):
         out, _ = self.run_tool("schema")
         self.assertEqual(out, (tool.ROOT / "docs/guide/lissom.schema.json").read_text(encoding="utf-8"))

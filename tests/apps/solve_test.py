@@ -132,6 +132,25 @@ class Interrupts(tool.ToolTest):
 
 
 class WrongUse(tool.ToolTest):
+    def test_commands_and_numbers(self):
+        self.write("beam.lissom", tool.cantilever())
+        _, err = self.run_tool("slove", "beam.lissom", code=2)
+        self.assertEqual(err, 'lissom: there is no command "slove" (did you mean "solve"?)\n')
+        _, err = self.run_tool("solve", "beam.lissom", "--nonsense", code=2)
+        self.assertTrue(err.startswith("lissom: ") and err.count("\n") == 1 and "--nonsense" in err, err)
+        for wrong in ("nan", "1e300", "-inf"):
+            _, err = self.run_tool("solve", "beam.lissom", "--load-factor", wrong, code=3)
+            self.assertIn("--load-factor", err)
+            _, err = self.run_tool("path", "beam.lissom", "--to", wrong, code=3)
+            self.assertIn("--to", err)
+
+    def test_the_folder_is_tried_before_the_work(self):
+        self.write("slow.lissom", tool.cantilever(edges=30000, force=-0.02))
+        self.write("file", "")
+        for command in ("solve", "path", "modes"):
+            _, err = self.run_tool(command, "slow.lissom", "-o", "file", code=4)
+            self.assertIn("file", err)
+
     def test_documents(self):
         wrong = tool.cantilever()
         wrong["rods"][0]["section"] = {"radius": "1 MPa"}

@@ -52,7 +52,7 @@ TEST(DocumentErrors, EveryWrongDocumentIsExplainedAsExpected) {
     EXPECT_EQ(split(line, '\t').size(), 4u);
     const Result<std::string> text = read_file(kFolder / name);
     ASSERT_TRUE(text);
-    const Result<Model> model = read_document(text.value());
+    const Result<Model> model = read_document(text.value(), kFolder);
     ASSERT_FALSE(model) << "was accepted";
     const Error& error = model.error();
     EXPECT_EQ(std::string(kCodes[static_cast<int>(error.code)]) + '\t' + error.where + '\t' + error.message + '\t' +

@@ -52,6 +52,9 @@ class ModelBits {
   void add(const MaterialAxes& x) { add_all(x.kind, x.normal, x.normals); }
   void add(const Natural& x) { add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.curve, x.axes); }
   void add(const Rod& x) { add_all(x.name, x.curve, x.material, x.section, x.axes, x.natural, x.edges, x.edge_length); }
+  void add(const NetworkFile& x) {
+    add_all(x.name, x.file, x.unit, x.rods, x.chain_angle, x.edges_per_piece, x.rod_count, x.notes);
+  }
   void add(const Selector& x) { add_all(x.kind, x.name, x.fraction, x.point, x.tolerance, x.low, x.high, x.parts); }
   void add(const JointChoice& x) { add_all(x.at, x.kind); }
   void add(const NamedSet& x) { add_all(x.name, x.nodes); }
@@ -80,8 +83,8 @@ class ModelBits {
             x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative, x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
-    add_all(x.title, x.source, x.materials, x.rods, x.joint_kind, x.joint_weights, x.joints, x.merge_distance,
-            x.torsion, x.sets, x.poses, x.motions, x.expectations);
+    add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.joint_kind, x.joint_weights, x.joints,
+            x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.expectations);
   }
   template <class... T>
   void add_all(const T&... x) {

@@ -115,7 +115,7 @@ TEST(ImportNetwork, ChainsRunThroughPointsOfTwoLines) {
   EXPECT_EQ(s.joints.size(), 2u);
   EXPECT_EQ(s.components, 1);
 
-  options.rods = NetworkOptions::Rods::kSegments;
+  options.rods = NetworkRods::kSegments;
   const ImportedNetwork pieces = import_network(lines, options).value();
   EXPECT_EQ(pieces.model.rods.size(), 5u);
   EXPECT_EQ(discretize(pieces.model).value().joints.size(), 3u);
