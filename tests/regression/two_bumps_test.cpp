@@ -1,0 +1,68 @@
+/// A line network that nobody here drew: a gridshell of laths, closed to a bundle 30 m long, whose rim shrinks by 2 %. Runs
+/// where the shared data lies beside the repository.
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+#include "lissom/core/file_io.h"
+#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/stability.h"
+#include "lissom/model/import_network.h"
+
+namespace lissom {
+namespace {
+
+constexpr const char* kFile = "../shared/data/two-bumps.obj";
+
+TEST(TwoBumps, SettlesOnAWavingBranchBesideTheUnstableFlatOne) {
+  if (!std::filesystem::exists(kFile)) GTEST_SKIP() << kFile << " is not here";
+  const Result<ObjLines> lines = read_obj_lines(read_file(kFile).value(), kFile);
+  ASSERT_TRUE(lines.ok()) << lines.error().text();
+  EXPECT_EQ(lines.value().points.size(), 237u);
+  EXPECT_EQ(lines.value().segments.size(), 440u);
+  NetworkOptions options;
+  options.scale = 0.001;
+  options.section.shape = SectionShape::kTube;
+  options.section.r_n = options.section.r_b = {0.02};
+  options.section.wall = 0.003;
+  Result<ImportedNetwork> network = import_network(lines.value(), options);
+  ASSERT_TRUE(network.ok()) << network.error().text();
+  Model model = std::move(network.value().model);
+  Pose pose;
+  pose.name = "pushed";
+  Support rim;
+  rim.at.kind = Selector::Kind::kBoundary;
+  rim.shrink = 0.02;
+  pose.supports.push_back(rim);
+  Seed seed;
+  seed.amplitude = 0.01;
+  pose.seed = seed;
+  model.poses.push_back(pose);
+  const Result<System> system = make_system(model);
+  ASSERT_TRUE(system.ok()) << system.error().text();
+  const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, "/poses/0");
+  ASSERT_TRUE(problem.ok()) << problem.error().text();
+
+  const Equilibrium waving = solve(problem.value(), start_state(problem.value(), pose), 1, {});
+  EXPECT_EQ(waving.verdict, Verdict::kStable) << waving.message;
+  SolveOptions stay;
+  stay.at_saddle = AtSaddle::kStay;
+  const Equilibrium flat = solve(problem.value(), drawn_state(system.value()), 1, stay);
+  EXPECT_EQ(flat.verdict, Verdict::kUnstable) << flat.message;
+  EXPECT_LT(waving.energy, 0.5 * flat.energy);
+  double highest = 0, lowest = 0, highest_flat = 0;
+  for (int i = 0; i < system.value().layout.nodes(); ++i) {
+    highest = std::max(highest, waving.state.position(i).z());
+    lowest = std::min(lowest, waving.state.position(i).z());
+    highest_flat = std::max(highest_flat, std::abs(flat.state.position(i).z()));
+  }
+  RecordProperty("highest_m", std::to_string(highest));
+  RecordProperty("lowest_m", std::to_string(lowest));
+  RecordProperty("flat_negative_modes", flat.negative_modes);
+  EXPECT_GT(highest, 0.1);
+  EXPECT_LT(highest_flat, 1e-9);
+}
+
+}  // namespace
+}  // namespace lissom
