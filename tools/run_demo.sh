@@ -17,8 +17,8 @@ show() {
 }
 
 show "$lissom" --version
-for scene in gridshell hexagon_sheet; do
-  show "$lissom" solve "scene:$scene" -o out --picture png --field stress --vtu
+for structure in scenes/data/gridshell.lissom scene:hexagon_sheet; do
+  show "$lissom" solve "$structure" -o out --picture png --field stress --vtu
 done
 
 printf '\nIn %s/out:\n' "$PWD"

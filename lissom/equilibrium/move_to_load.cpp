@@ -13,7 +13,7 @@ namespace lissom {
 namespace {
 
 constexpr double kMostStrain = 5e-3;  // change of axial strain in one step
-constexpr double kStrained = 0.02;    // axial strain of a start that is relaxed before it is moved
+constexpr double kStrained = 0.1;     // axial strain of a start that is relaxed before it is moved
 constexpr int kRoughIterations = 15;
 constexpr double kRoughTolerance = 1e4;  // times the final one
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "lissom/mechanics/energies.h"
@@ -81,45 +80,6 @@ Result<StaticProblem> make_static_problem(const Model& model, const System& syst
   const Scales scales = make_scales(system, potential);
   VecX metric = make_mode_metric(system, supports.value());
   return StaticProblem{&system, std::move(potential), std::move(supports).value(), scales, std::move(metric)};
-}
-
-State start_state(const StaticProblem& problem, const Pose& pose) {
-  const System& system = *problem.system;
-  State state = drawn_state(system);
-  if (!pose.seed || pose.seed->amplitude == 0) return state;
-  // Half-sine along each rod; over a network, a dome that vanishes on the held nodes' side of the bounding box.
-  const Vec3 direction = pose.seed->direction.normalized();
-  VecX dq = VecX::Zero(system.layout.size());
-  const bool network = system.structure.rods.size() > 1;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Vec3& x : system.structure.nodes) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  for (const StructureRod& rod : system.structure.rods) {
-    for (size_t k = 0; k < rod.nodes.size(); ++k) {
-      const int node = rod.nodes[k];
-      double height = 1;
-      if (network) {
-        for (int i = 0; i < 3; ++i) {
-          const double extent = high[i] - low[i];
-          if (extent <= 1e-9 * system.structure.size) continue;
-          height *= std::sin(std::numbers::pi * (system.structure.nodes[node][i] - low[i]) / extent);
-        }
-      } else {
-        height = std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(rod.nodes.size() - 1));
-      }
-      dq.segment<3>(3 * node) = pose.seed->amplitude * height * direction;
-    }
-  }
-  // Held unknowns stay where they are.
-  problem.potential.to_local(dq);
-  for (int i = 0; i < dq.size(); ++i) {
-    if (problem.supports.kept()[i] < 0) dq[i] = 0;
-  }
-  problem.potential.to_global(dq);
-  State seeded;
-  return advance(system, state, dq, seeded) ? seeded : state;
 }
 
 }  // namespace lissom

@@ -22,6 +22,7 @@ int main() {
   Selector start, end;
   start.kind = end.kind = Selector::Kind::kRod;
   start.name = end.name = "beam";
+  start.fraction = 0;
   end.fraction = 1;
   Pose pose;
   pose.name = "loaded";

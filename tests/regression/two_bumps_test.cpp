@@ -7,7 +7,6 @@
 
 #include "lissom/core/file_io.h"
 #include "lissom/equilibrium/solve.h"
-#include "lissom/equilibrium/stability.h"
 #include "lissom/model/import_network.h"
 
 namespace lissom {
@@ -15,7 +14,7 @@ namespace {
 
 constexpr const char* kFile = "../shared/data/two-bumps.obj";
 
-TEST(TwoBumps, SettlesOnAWavingBranchBesideTheUnstableFlatOne) {
+TEST(TwoBumps, RisesOrSinksAsTheSeedSays) {
   if (!std::filesystem::exists(kFile)) GTEST_SKIP() << kFile << " is not here";
   const Result<ObjLines> lines = read_obj_lines(read_file(kFile).value(), kFile);
   ASSERT_TRUE(lines.ok()) << lines.error().text();
@@ -44,24 +43,21 @@ TEST(TwoBumps, SettlesOnAWavingBranchBesideTheUnstableFlatOne) {
   const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, "/poses/0");
   ASSERT_TRUE(problem.ok()) << problem.error().text();
 
-  const Equilibrium waving = solve(problem.value(), start_state(problem.value(), pose), 1, {});
-  EXPECT_EQ(waving.verdict, Verdict::kStable) << waving.message;
-  SolveOptions stay;
-  stay.at_saddle = AtSaddle::kStay;
-  const Equilibrium flat = solve(problem.value(), drawn_state(system.value()), 1, stay);
-  EXPECT_EQ(flat.verdict, Verdict::kUnstable) << flat.message;
-  EXPECT_LT(waving.energy, 0.5 * flat.energy);
-  double highest = 0, lowest = 0, highest_flat = 0;
+  // Waves between the points of the rim; the two long fields rise or sink together as the seed says, the
+  // short waves between them need not mirror each other.
+  const Equilibrium up = solve(problem.value(), start_state(problem.value(), pose), 1, {});
+  EXPECT_EQ(up.verdict, Verdict::kStable) << up.message;
+  pose.seed->direction = -Vec3::UnitZ();
+  const Equilibrium down = solve(problem.value(), start_state(problem.value(), pose), 1, {});
+  EXPECT_EQ(down.verdict, Verdict::kStable) << down.message;
+  EXPECT_NEAR(down.energy / up.energy, 1, 0.05);
+  double highest = 0, lowest = 0;
   for (int i = 0; i < system.value().layout.nodes(); ++i) {
-    highest = std::max(highest, waving.state.position(i).z());
-    lowest = std::min(lowest, waving.state.position(i).z());
-    highest_flat = std::max(highest_flat, std::abs(flat.state.position(i).z()));
+    highest = std::max(highest, up.state.position(i).z());
+    lowest = std::min(lowest, down.state.position(i).z());
   }
-  RecordProperty("highest_m", std::to_string(highest));
-  RecordProperty("lowest_m", std::to_string(lowest));
-  RecordProperty("flat_negative_modes", flat.negative_modes);
-  EXPECT_GT(highest, 0.1);
-  EXPECT_LT(highest_flat, 1e-9);
+  EXPECT_GT(highest, 0.5);
+  EXPECT_LT(lowest, -0.5);
 }
 
 }  // namespace
