@@ -7,7 +7,11 @@ namespace lissom::cli {
 
 void add_solver_options(CLI::App& command, SolveOptions& options) {
   const auto choice = [&](const char* name, auto& value, const auto& names, const char* help) {
-    command.add_option(name, value, help)->transform(CLI::CheckedTransformer(names, CLI::ignore_case))->group("Solver");
+    std::string words;
+    for (const auto& [word, meaning] : names) words += (words.empty() ? "{" : ",") + word;
+    CLI::CheckedTransformer known(names, CLI::ignore_case);
+    known.description(words + "}");
+    command.add_option(name, value, help)->transform(known)->type_name("TEXT")->group("Solver");
   };
   choice("--method", options.method,
          std::map<std::string, Method>{{"minimize", Method::kMinimize}, {"find_root", Method::kFindRoot}},

@@ -138,7 +138,7 @@ struct Dual1 {
   friend Dual1 operator-(Dual1 x, const Dual1& y) { return x -= y; }
   friend Dual1 operator-(Dual1 x) {
     x.a = -x.a;
-    for (double& g : x.g) g = -g;
+    for (double& slope : x.g) slope = -slope;
     return x;
   }
   friend Dual1 operator*(const Dual1& x, const Dual1& y) {

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int kGrain = 8192;
 
-/// `kCount` places per target; 0: as many as `count` says.
-template <int kCount>
+/// `Count` places per target; 0: as many as `count` says.
+template <int Count>
 void sum_run(const double* buffer, const int* target, const int* place, int count, int targets, double* out) {
-  const int n = kCount > 0 ? kCount : count;
+  const int n = Count > 0 ? Count : count;
   for (int i = 0; i < targets; ++i, place += n) {
     double sum = 0;
     for (int k = 0; k < n; ++k) sum += buffer[place[k]];

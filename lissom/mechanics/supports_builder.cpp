@@ -83,14 +83,14 @@ void SupportsBuilder::hold_position(int node, const Vec3& move) {
 Status SupportsBuilder::hold_free(const Support& support, int node, const Vec3& move, const std::string& where) {
   if (!support.directions.empty()) {
     const int at = system_.layout.position(node);
-    const Status status = hold_directions(at, support.directions, where);
+    Status status = hold_directions(at, support.directions, where);
     if (!status) return status;
     supports_.positions_.push_back({node, move});
   }
   if (!support.rotations.empty()) {
     const Result<int> joint = frame_at(node, where);
     if (!joint) return joint.error();
-    const Status status = hold_directions(system_.layout.rotation(joint.value()), support.rotations, where);
+    Status status = hold_directions(system_.layout.rotation(joint.value()), support.rotations, where);
     if (!status) return status;
     supports_.rotations_.push_back({joint.value(), support.turn_angle * support.turn_axis.normalized()});
   }
@@ -125,7 +125,7 @@ Status SupportsBuilder::hold_edge(const Support& support, int node, const Vec3& 
 
 Status SupportsBuilder::hold_symmetry(const Support& support, int node, const std::string& where) {
   const Vec3 normal = support.normal.normalized();
-  const Status status = hold_directions(system_.layout.position(node), {normal}, where);
+  Status status = hold_directions(system_.layout.position(node), {normal}, where);
   if (!status) return status;
   supports_.positions_.push_back({node});
   const int joint = system_.joint_of_node[node];
