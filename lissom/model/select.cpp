@@ -15,7 +15,7 @@ using Nodes = std::vector<int>;
 
 constexpr SelectorWord kWords[] = {{"all", Selector::Kind::kAll},
                                    {"joints", Selector::Kind::kJoints},
-                                   {"ends", Selector::Kind::kEnds},
+                                   {"free_ends", Selector::Kind::kEnds},
                                    {"boundary", Selector::Kind::kBoundary}};
 
 void sort_unique(Nodes& nodes) {
