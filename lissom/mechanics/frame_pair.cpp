@@ -49,30 +49,35 @@ double curvature_derivatives(const Vec3& t1, const Vec3& t2, const Vec3& a1, con
 
 FramePairDerivatives frame_pair_derivatives(const FrameT<double>& first, const FrameT<double>& second, double twist,
                                             const double* rest, bool with_hessian) {
-  const Vec3 &t1 = first.t, &t2 = second.t;
+  const Vec3 &t1 = first.t, &t2 = second.t, n1 = first.n(), n2 = second.n();
   Vec6 gradient[3];
-  Mat6 hessian[3];
-  double strain[3];
-  strain[0] = curvature_derivatives(t1, t2, first.n(), second.n(), gradient[0], with_hessian ? &hessian[0] : nullptr);
-  strain[1] = curvature_derivatives(t1, t2, -first.b, -second.b, gradient[1], with_hessian ? &hessian[1] : nullptr);
-  strain[2] = twist;
+  const double strain[3] = {curvature_derivatives(t1, t2, n1, n2, gradient[0], nullptr),
+                            curvature_derivatives(t1, t2, -first.b, -second.b, gradient[1], nullptr), twist};
   const double chi = 1 + t1.dot(t2);
   const Vec3 tt = (t1 + t2) / chi, kb = 2 * t1.cross(t2) / chi;
   gradient[2] << -tt, tt;
-  if (with_hessian) {
-    const Mat3 diagonal = 0.25 * (tt * kb.transpose() + kb * tt.transpose());
-    const Mat3 mixed = skew(t2) / chi - 0.5 * tt * kb.transpose();
-    hessian[2] << diagonal, mixed, mixed.transpose(), diagonal;
-  }
   const double stiffness[3] = {rest[kBend1], rest[kBend2], rest[kTwistStiffness]};
+  double c[3], moment[3];
   FramePairDerivatives d;
   d.gradient.setZero();
-  if (with_hessian) d.hessian.setZero();
   for (int i = 0; i < 3; ++i) {
-    const double c = stiffness[i] / rest[kPairLength], moment = c * (strain[i] - rest[kKappa1 + i]);
-    d.gradient += moment * gradient[i];
-    if (with_hessian) d.hessian += c * gradient[i] * gradient[i].transpose() + moment * hessian[i];
+    c[i] = stiffness[i] / rest[kPairLength];
+    moment[i] = c[i] * (strain[i] - rest[kKappa1 + i]);
+    d.gradient += moment[i] * gradient[i];
   }
+  if (!with_hessian) return d;
+
+  // A curvature is linear in its director, so both are differentiated twice in one go, weighted by their moments.
+  Vec6 weighted_gradient;
+  curvature_derivatives(t1, t2, moment[0] * n1 - moment[1] * first.b, moment[0] * n2 - moment[1] * second.b,
+                        weighted_gradient, &d.hessian);
+  const Mat3 diagonal = (0.25 * moment[2]) * (tt * kb.transpose() + kb * tt.transpose());
+  const Mat3 mixed = moment[2] * (skew(t2) / chi - 0.5 * tt * kb.transpose());
+  d.hessian.block<3, 3>(0, 0) += diagonal;
+  d.hessian.block<3, 3>(3, 3) += diagonal;
+  d.hessian.block<3, 3>(0, 3) += mixed;
+  d.hessian.block<3, 3>(3, 0) += mixed.transpose();
+  for (int i = 0; i < 3; ++i) d.hessian += c[i] * gradient[i] * gradient[i].transpose();
   return d;
 }
 

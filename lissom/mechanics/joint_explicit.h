@@ -2,6 +2,8 @@
 /// Explicit joint, one connection: the spring between a rod edge and the frame of a joint whose rotation is an unknown
 /// [Zehnder et al. 2016; mathematics 2.1, 2.2; erratum E8]. Also the clamp: a joint whose rotation is prescribed.
 
+#include <algorithm>
+
 #include "lissom/mechanics/frame_pair.h"
 #include "lissom/mechanics/stencil_term.h"
 
@@ -102,25 +104,27 @@ struct JointExplicit {
     const FramePairDerivatives d =
         frame_pair_derivatives(leaves ? a.held : a.edge, leaves ? a.edge : a.held, a.twist, a.rest, hessian != nullptr);
     const int edge_at = leaves ? 3 : 0, held_at = leaves ? 0 : 3;
-    // Rotations (edge, held) by (e, theta, r), then e = x1 - x0.
-    Eigen::Matrix<double, 6, 7> w = Eigen::Matrix<double, 6, 7>::Zero();
-    w.block<3, 4>(edge_at, 0) = edge_rotation_jacobian(a.edge.t, a.length);
-    w.block<3, 3>(held_at, 4).setIdentity();
-    const Eigen::Matrix<double, 7, 1> g = w.transpose() * d.gradient;
+    // The edge's rotation by (e, theta), the held frame's by r, then e = x1 - x0.
+    const Eigen::Matrix<double, 3, 4> w = edge_rotation_jacobian(a.edge.t, a.length);
+    const Vec4 g = w.transpose() * d.gradient.segment<3>(edge_at);
     for (int i = 0; i < 3; ++i) {
       gradient[i] = -g[i];
       gradient[3 + i] = g[i];
-      gradient[7 + i] = g[4 + i];
+      gradient[7 + i] = d.gradient[held_at + i];
     }
     gradient[6] = g[3];
     if (hessian == nullptr) return;
-    Eigen::Matrix<double, 7, 7> h = w.transpose() * d.hessian * w;
-    h.block<4, 4>(0, 0) += edge_rotation_curvature(d.gradient.segment<3>(edge_at), a.edge.t, a.length);
+    Eigen::Matrix<double, 7, 7> h;  // by (e, theta, r); only the lower triangle is read
+    h.block<4, 4>(0, 0) = w.transpose() * d.hessian.block<3, 3>(edge_at, edge_at) * w +
+                          edge_rotation_curvature(d.gradient.segment<3>(edge_at), a.edge.t, a.length);
+    h.block<3, 4>(4, 0) = d.hessian.block<3, 3>(held_at, edge_at) * w;
+    h.block<3, 3>(4, 4) = d.hessian.block<3, 3>(held_at, held_at);
     constexpr int kFrom[kDofs] = {0, 1, 2, 0, 1, 2, 3, 4, 5, 6};
     for (int i = 0; i < kDofs; ++i) {
       for (int j = 0; j <= i; ++j) {
         const double sign = (i < 3) != (j < 3) ? -1 : 1;
-        hessian[i * (i + 1) / 2 + j] = sign * h(kFrom[i], kFrom[j]);
+        // x0 and x1 come from the same entries, so that the place may lie above the diagonal of h.
+        hessian[i * (i + 1) / 2 + j] = sign * h(std::max(kFrom[i], kFrom[j]), std::min(kFrom[i], kFrom[j]));
       }
     }
   }
