@@ -65,7 +65,7 @@ void measure(const std::string& name, const Model& model, int repetitions) {
   // within it, where each finds the caches as the one before left them; least of all, as others only ever add.
   double factor = 1e300, back_solve = 1e300, iteration = 1e300;
   VecX x;
-  for (int k = 0; k < 4 * repetitions; ++k) {
+  for (int k = 0; k < 20 * repetitions; ++k) {
     const double begin = now_ms();
     workspace.assemble(state);
     const double assembled = now_ms();

@@ -1,6 +1,7 @@
 #include "lissom/mechanics/gather_lists.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace lissom {
@@ -19,6 +20,11 @@ void sum_run(const double* buffer, const int* target, const int* place, int coun
     out[target[i]] = sum;
   }
 }
+
+/// By number of places; the first serves all others.
+using SumRun = void (*)(const double*, const int*, const int*, int, int, double*);
+constexpr std::array<SumRun, 9> kSumRun = {sum_run<0>, sum_run<1>, sum_run<2>, sum_run<3>, sum_run<4>,
+                                           sum_run<5>, sum_run<6>, sum_run<7>, sum_run<8>};
 
 }  // namespace
 
@@ -44,11 +50,8 @@ void GatherLists::sum(const double* buffer, double* target, ThreadPool* threads)
     parallel_for(threads, static_cast<int>(run.end - run.begin), kGrain, [&](int begin, int end) {
       const int* targets = target_.data() + run.begin + begin;
       const int* places = place_.data() + run.first_place + static_cast<std::ptrdiff_t>(begin) * run.count;
-      const auto sum_targets = run.count == 1   ? sum_run<1>
-                               : run.count == 2 ? sum_run<2>
-                               : run.count == 3 ? sum_run<3>
-                                                : sum_run<0>;
-      sum_targets(buffer, targets, places, run.count, end - begin, target);
+      const size_t length = run.count < static_cast<int>(kSumRun.size()) ? run.count : 0;
+      kSumRun[length](buffer, targets, places, run.count, end - begin, target);
     });
   }
 }

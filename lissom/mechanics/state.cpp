@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <numbers>
 
 #include "lissom/geometry/frame.h"
 #include "lissom/mechanics/shape_matching.h"
@@ -15,8 +16,8 @@ constexpr int kGrain = 512;
 /// Twist between two frames near an expected value: full turns follow the expectation.
 double unwrapped_twist(const Vec3& t1, const Vec3& b1, const Vec3& t2, const Vec3& b2, double expected) {
   const Vec3 carried = parallel_transport(t1, t2, b1);
-  const double angle = signed_angle(t2, carried, b2);
-  return expected + wrap_angle(angle - expected);
+  const double change = signed_angle(t2, carried, b2) - expected;
+  return expected + (std::abs(change) < std::numbers::pi ? change : wrap_angle(change));
 }
 
 Frame connection_frame(const Connection& c, const Mat3& rotation) { return rotated(rotation, c.rest); }
