@@ -1,7 +1,6 @@
 /// Cost of a step of motion in time, on one thread: rows of name, metric, value, unit separated by tabs.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <limits>
 #include <numeric>
@@ -9,24 +8,15 @@
 #include <vector>
 
 #include "bench/networks.h"
+#include "bench/timing.h"
 #include "lissom/motion/integrator.h"
 
 namespace lissom {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kMove = 0.5;  // s of motion
 // Of the whole motion. The quickest run of each step counts: other programs can only slow it down.
 constexpr int kRepetitions = 7;
-
-double ms_since(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-void row(const std::string& name, const char* metric, double value, const char* unit) {
-  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
-}
 
 /// Lets go of a drawn shape under the loads of its first pose, without damping. False when a step does not converge.
 bool measure(const std::string& name, const Model& model, double dt) {
@@ -47,11 +37,11 @@ bool measure(const std::string& name, const Model& model, double dt) {
     integrator.begin(start, at_rest);
     iterations = 0;
     for (int i = 0; i < steps; ++i) {
-      const Clock::time_point begin = Clock::now();
+      const double begin = now_ms();
       const StepAttempt attempt = integrator.attempt(dt);
       if (!attempt.converged) return std::fprintf(stderr, "%s: step %d does not converge\n", name.c_str(), i), false;
       integrator.accept();
-      quickest[i] = std::min(quickest[i], ms_since(begin));
+      quickest[i] = std::min(quickest[i], now_ms() - begin);
       iterations += attempt.iterations;
     }
     moved = (integrator.state().q - start.q).head(3 * system.value().layout.nodes()).cwiseAbs().maxCoeff();

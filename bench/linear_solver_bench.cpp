@@ -2,27 +2,15 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <numeric>
 
 #include "bench/rod_matrices.h"
+#include "bench/timing.h"
 #include "lissom/core/linear_solver.h"
 
 namespace lissom {
 namespace {
-
-template <class F>
-double median_ms(int repeats, const F& f) {
-  std::vector<double> t;
-  for (int i = 0; i < repeats; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    f();
-    t.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
-  }
-  std::nth_element(t.begin(), t.begin() + repeats / 2, t.end());
-  return t[repeats / 2];
-}
 
 Eigen::SparseMatrix<double> to_eigen(const SparsePattern& p, const std::vector<double>& values) {
   const Eigen::Map<const Eigen::SparseMatrix<double>> view(p.size(), p.size(), p.nonzeros(), p.column_start().data(),

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.h"
 #include "lissom/core/file_io.h"
 #include "lissom/equilibrium/continuation.h"
 #include "lissom/motion/motion.h"
@@ -24,10 +25,6 @@ namespace lissom {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-void row(const std::string& name, const char* metric, double value, const char* unit) {
-  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
-}
 
 /// The first motion of a model, with the turning of a set; nothing when it does not reach its end.
 std::optional<MotionResult> play(const std::string& name, const Model& model, const System& system,

@@ -3,7 +3,6 @@
 ///     robustness_bench [STARTS]      STARTS: per network, half of them smooth fields, half noise; default 20
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,19 +11,16 @@
 
 #include "bench/disturbed.h"
 #include "bench/networks.h"
+#include "bench/timing.h"
 #include "lissom/equilibrium/solve.h"
 
 namespace lissom {
 namespace {
 
-void row(const std::string& name, const char* metric, double value, const char* unit) {
-  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
-}
-
 struct Tally {
   int starts = 0, stable = 0, critical = 0, silent = 0;
   std::vector<int> factorizations;
-  double seconds = 0;
+  double milliseconds = 0;
 
   void add(const Tally& other) {
     starts += other.starts;
@@ -32,7 +28,7 @@ struct Tally {
     critical += other.critical;
     silent += other.silent;
     factorizations.insert(factorizations.end(), other.factorizations.begin(), other.factorizations.end());
-    seconds += other.seconds;
+    milliseconds += other.milliseconds;
   }
 };
 
@@ -45,16 +41,16 @@ void report(const std::string& name, Tally& tally) {
   row(name, "wrong verdicts", tally.silent, "");
   row(name, "factorizations, median", tally.factorizations[tally.factorizations.size() / 2], "");
   row(name, "factorizations, most", tally.factorizations.back(), "");
-  row(name, "time per start", 1e3 * tally.seconds / tally.starts, "ms");
+  row(name, "time per start", tally.milliseconds / tally.starts, "ms");
 }
 
 Tally run(const std::string& name, const StaticProblem& problem, const Pose& pose, Disturbance kind, int starts) {
   Tally tally;
   for (int seed = 0; seed < starts; ++seed) {
     const State start = disturbed_state(problem, pose, static_cast<unsigned>(seed), kind);
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = now_ms();
     const Equilibrium e = solve(problem, start, 1, {});
-    tally.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    tally.milliseconds += now_ms() - begin;
     tally.factorizations.push_back(e.factorizations);
     ++tally.starts;
     const bool settled = e.verdict == Verdict::kStable || e.verdict == Verdict::kCritical;

@@ -4,7 +4,6 @@
 ///     scaling_bench [LARGEST]      LARGEST: leaves out networks of more unknowns; default 1700000
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -12,37 +11,16 @@
 #include <vector>
 
 #include "bench/networks.h"
+#include "bench/timing.h"
 #include "lissom/equilibrium/newton_workspace.h"
 
 namespace lissom {
 namespace {
 
-double now_ms() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
-}
-
-/// Least time of a few repetitions: others on the machine only ever add.
-template <class F>
-double least_ms(int repetitions, const F& f) {
-  double least = 1e300;
-  for (int k = 0; k < repetitions; ++k) {
-    const double begin = now_ms();
-    f();
-    least = std::min(least, now_ms() - begin);
-  }
-  return least;
-}
-
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-void row(const std::string& name, const char* metric, double value, const char* unit) {
-  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
-  std::fflush(stdout);
 }
 
 /// A square sheet of `cells` x `cells` hexagons; about 108 unknowns each. False when it cannot be set up.

@@ -1,40 +1,18 @@
 /// Cost of the static solver and its parts: rows of name, metric, value, unit separated by tabs.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "bench/networks.h"
+#include "bench/timing.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/solve.h"
 #include "lissom/mechanics/energies.h"
 
 namespace lissom {
 namespace {
-
-double now_ms() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
-}
-
-/// Median time of a few repetitions, ms.
-template <class F>
-double median_ms(int repetitions, const F& f) {
-  std::vector<double> times;
-  for (int k = 0; k < repetitions; ++k) {
-    const double begin = now_ms();
-    f();
-    times.push_back(now_ms() - begin);
-  }
-  std::nth_element(times.begin(), times.begin() + repetitions / 2, times.end());
-  return times[repetitions / 2];
-}
-
-void row(const std::string& name, const char* metric, double value, const char* unit) {
-  std::printf("%s\t%s\t%.6g\t%s\n", name.c_str(), metric, value, unit);
-}
 
 void measure(const std::string& name, const Model& model, int repetitions) {
   const Result<System> system = make_system(model);

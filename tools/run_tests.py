@@ -32,17 +32,22 @@ class Tally:
         self.failed += count
 
 
-def count_report(name, path, tally):
-    """Adds the cases of one GoogleTest report; returns how many of them did not pass."""
+def count_report(name, path, output, tally):
+    """Adds the cases of one GoogleTest report; returns how many of them did not pass. `output` is what the program said."""
     report = json.loads(path.read_text(encoding="utf-8"))
     bad = ran = skipped = 0
     for suite in report["testsuites"]:
         for case in suite["testsuite"]:
             title = f"{name}: {suite['name']}.{case['name']}"
             if case.get("result") == "SKIPPED":
-                # Only where data from outside the repository is missing: said, and not counted as passed.
-                print(f"SKIP {title}")
-                skipped += 1
+                # Only where data from outside the repository is missing: said with its reason, and not counted as passed.
+                reasons = re.findall(r": Skipped\n(.+)\n", output)
+                if reasons:
+                    print(f"SKIP {title}: {reasons[min(skipped, len(reasons) - 1)]}")
+                    skipped += 1
+                else:
+                    tally.fail(f"{title} was skipped without a reason")
+                    bad += 1
                 continue
             if case["status"] != "RUN":
                 tally.fail(f"{title} did not run")
@@ -76,7 +81,7 @@ def run_ctest(build, labels, jobs, tally):
         name, ok = test.get("name"), test.get("status") == "run"
         report = reports / f"{name}.json"
         if report.exists():
-            bad = count_report(name, report, tally)
+            bad = count_report(name, report, test.findtext("system-out") or "", tally)
             if not ok and bad == 0:
                 tally.fail(f"{name} ended badly although its cases passed")
             continue

@@ -19,16 +19,14 @@ class ShiftPolicy {
   /// Prepares the shift of the next iteration from the present factor.
   void learn(NewtonWorkspace& workspace);
 
-  /// Starts again without a memory (after a jump along a mode).
-  void forget() { next_ = 0, worked_ = 0; }
-
  private:
   /// Lowest eigenvalue of (H, metric) by a few steps of subspace iteration on the present factor.
   double estimate_lowest(NewtonWorkspace& workspace, int steps);
 
   ShiftRule rule_;
-  double shift_ = 0, next_ = 0, worked_ = 0;
-  MatX vectors_;  // unknowns x 2, kept between iterations
+  double shift_ = 0, next_ = 0;
+  double worked_ = 0;  // last shift above 0 that was enough
+  MatX vectors_;       // unknowns x 2, kept between iterations
   VecX work_, image_;
 };
 

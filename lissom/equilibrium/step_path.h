@@ -30,7 +30,7 @@ class StepPathPolicy {
   const State* state_ = nullptr;
   VecX d_, p_, increment_;
   bool has_p_ = false;
-  VecX forward_, backward_, free_, moved_gradient_;
+  VecX forward_, backward_, free_;
   State probe_;
   VecX pull_, fitted_;
   std::optional<EdgeLaplacian> fit_;

@@ -84,7 +84,7 @@ struct LoadPath {
 /// A shape to start from instead of the drawn one: smooth sideways bump, for structures that start at a critical point.
 struct Seed {
   Vec3 direction = Vec3::UnitZ();
-  double amplitude = 0;  ///< m, height of a half-sine along each rod (or of a dome over a network)
+  double amplitude = 0;  ///< m, height of a half-sine along each rod, or of the sag of a net between what is held
 };
 
 /// Rigid motions that no support prevents.

@@ -149,10 +149,9 @@ Result<std::vector<PlayedMotion>> dynamics_command(const Document& document, con
     for (int i = 2; std::find(stems.begin(), stems.end(), stem) != stems.end(); ++i)
       stem = plain + "-" + std::to_string(i);
     stems.push_back(stem);
-    const size_t before = output.written().size();
     if (const Status s = write_files(document, system.value(), motion, stem, command, played, output); !s)
       return s.error();
-    played.files.assign(output.written().begin() + static_cast<std::ptrdiff_t>(before), output.written().end());
+    played.files = output.take_written();
     played.summary = dynamics_summary(played);
     results.push_back(std::move(played));
     if (context.cancelled()) break;

@@ -121,12 +121,11 @@ Result<std::vector<PoseModes>> modes_command(const Document& document, const Mod
       if (!modes) return modes.error();
       result.vibrations = std::move(modes).value();
     }
-    const size_t before = output.written().size();
     if (const Status s = output.write(stems[p] + "-modes.json", modes_text(document, result)); !s) return s.error();
     if (balanced) {
       if (const Status s = write_views(document, pose, system, stems[p], command, result, output); !s) return s.error();
     }
-    result.files.assign(output.written().begin() + static_cast<std::ptrdiff_t>(before), output.written().end());
+    result.files = output.take_written();
     result.summary = modes_summary(result);
     results.push_back(std::move(result));
     if (context.cancelled()) break;

@@ -177,9 +177,8 @@ Result<std::vector<FollowedPose>> path_command(const Document& document, const P
                                      point.energy, point.lowest, static_cast<double>(point.negative_modes),
                                      point.residual});
     }
-    const size_t before = output.written().size();
     if (const Status s = write_files(document, pose, system, stems[p], command, followed, output); !s) return s.error();
-    followed.files.assign(output.written().begin() + static_cast<std::ptrdiff_t>(before), output.written().end());
+    followed.files = output.take_written();
     followed.summary = path_summary(followed);
     results.push_back(std::move(followed));
     if (context.cancelled()) break;

@@ -77,10 +77,9 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
     solved.removed_motions = problem.value().supports.removed_motions();
     const State start = command.resume ? command.resume->state : start_state(problem.value(), pose);
     solved.equilibrium = solve(problem.value(), start, command.load_factor, command.options, context);
-    const size_t before = output.written().size();
     const Status status = write_pose(document, pose, system, stems[p], command, solved, output);
     if (!status) return status.error();
-    solved.files.assign(output.written().begin() + static_cast<std::ptrdiff_t>(before), output.written().end());
+    solved.files = output.take_written();
     solved.summary = result_summary(pose, system, solved.removed_motions, solved.equilibrium, solved.files);
     results.push_back(std::move(solved));
     if (context.cancelled()) break;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lissom/core/result.h"
@@ -15,7 +16,8 @@ class Output {
   explicit Output(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   const std::filesystem::path& folder() const { return folder_; }
-  const std::vector<std::filesystem::path>& written() const { return written_; }
+  /// What was written since this was last asked.
+  std::vector<std::filesystem::path> take_written() { return std::exchange(written_, {}); }
 
   /// Makes the folder and tries to write there: long work should not end in a folder that cannot take its result.
   Status prepare() const;

@@ -4,18 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "lissom/model/structure.h"
+#include "scenes/parts.h"
 
 namespace lissom {
 namespace {
 
 Rod straight(const std::string& name, const Vec3& a, const Vec3& b, int edges) {
-  Rod rod;
-  rod.name = name;
-  rod.curve = Polyline{{a, b}, false};
-  rod.material = "PLA";
-  rod.section = {SectionShape::kEllipse, {1e-3}, {1e-3}, 0};
-  rod.edges = edges;
-  return rod;
+  return scene_models::round_rod(name, Polyline{{a, b}, false}, 1e-3, "PLA", edges);
 }
 
 /// A beam of three edges along x and a branch that ends at `place`.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
 #include <span>
 #include <string>
@@ -218,5 +219,32 @@ constexpr double kLongest = 10;
 #else
 constexpr double kLongest = 1;
 #endif
+
+/// What became of all mutants of a test.
+struct FuzzTally {
+  int refused = 0, accepted = 0, large = 0, refused_later = 0;
+  Stopwatch watch;
+
+  void refuse(const Error& error, const std::string& text) {
+    EXPECT_FALSE(error.message.empty()) << text;
+    ++refused;
+  }
+  void accept(const Model& model) {
+    const Journey journey = taken_further(model);
+    large += journey.large;
+    refused_later += journey.refused;
+    ++accepted;
+  }
+  /// At least one in `deep` gets through to the end, at least one in `caught` is refused, and none takes long.
+  void check(const char* what, int mutants, int deep, int caught) const {
+    std::cout << mutants << " " << what << ": " << refused << " refused, " << accepted << " accepted (" << large
+              << " too large for this test, " << refused_later << " refused later), longest " << watch.longest()
+              << " s\n";
+    EXPECT_EQ(accepted + refused, mutants);
+    EXPECT_GT(accepted - large - refused_later, mutants / deep) << "the test no longer reaches deep";
+    EXPECT_GT(refused, mutants / caught);
+    EXPECT_LT(watch.longest(), kLongest);
+  }
+};
 
 }  // namespace lissom
