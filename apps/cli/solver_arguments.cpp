@@ -9,8 +9,14 @@ void add_solver_options(CLI::App& command, SolveOptions& options) {
   const auto choice = [&](const char* name, auto& value, const auto& names, const char* help) {
     std::string words;
     for (const auto& [word, meaning] : names) words += (words.empty() ? "{" : ",") + word;
-    CLI::CheckedTransformer known(names, CLI::ignore_case);
-    known.description(words + "}");
+    const CLI::Validator known(
+        [names, words](std::string& text) -> std::string {
+          const auto found = names.find(CLI::ignore_case(text));
+          if (found == names.end()) return "\"" + text + "\" is not one of " + words + "}";
+          text = std::to_string(static_cast<int>(found->second));
+          return {};
+        },
+        words + "}");
     command.add_option(name, value, help)->transform(known)->type_name("TEXT")->group("Solver");
   };
   choice("--method", options.method,
