@@ -11,8 +11,10 @@
 #include "lissom/model/curve.h"
 #include "lissom/model/expectation.h"
 #include "lissom/model/material.h"
+#include "lissom/model/membrane.h"
 #include "lissom/model/motion_case.h"
 #include "lissom/model/network_file.h"
+#include "lissom/model/plan.h"
 #include "lissom/model/pose.h"
 #include "lissom/model/section.h"
 #include "lissom/model/selector.h"
@@ -86,7 +88,10 @@ struct Model {
   std::string source;               ///< where the description comes from
   std::vector<Material> materials;  ///< besides the library
   std::vector<Rod> rods;
-  std::vector<NetworkFile> network_files;  ///< files from which the last of the rods were read
+  std::vector<NetworkFile> network_files;            ///< files from which the last of the rods were read
+  std::vector<MembraneMaterial> membrane_materials;  ///< besides the library
+  std::vector<Membrane> membranes;
+  std::optional<Plan> plan;  ///< rods on pre-stretched fabric, besides `rods` and `membranes`
   JointKind joint_kind = JointKind::kExplicit;
   JointWeights joint_weights = JointWeights::kEnergy;
   std::vector<JointChoice> joints;  ///< exceptions from joint_kind
@@ -98,7 +103,8 @@ struct Model {
   std::vector<Expectation> expectations;
 
   const Material* material(std::string_view name) const;  ///< own first, then the library; null when unknown
-  const Pose* pose(std::string_view name) const;          ///< null when unknown
+  const MembraneMaterial* membrane_material(std::string_view name) const;  ///< the same for membranes
+  const Pose* pose(std::string_view name) const;                           ///< null when unknown
 
   /// Everything that can be said without discretising: names resolve, numbers are possible, statements agree.
   Status validate() const;

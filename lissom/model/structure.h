@@ -2,6 +2,7 @@
 /// A discretised model: nodes, edges, interior vertices and joints, with the numbers of the drawn and the rest shape.
 /// Still without DoFs: `DofLayout` numbers them, `RestState` turns sections and rest shapes into stiffnesses.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,12 +54,40 @@ struct StructureRod {
   bool closed = false;
 };
 
+/// One flat piece of a membrane.
+struct StructureTriangle {
+  std::array<int, 3> node{-1, -1, -1};  ///< anticlockwise seen from the side of the normal
+  int membrane = -1;
+  /// m, corners of the drawn triangle along the material axes 1 and 2; at rest they are divided by the pre-stretch.
+  std::array<Vec2, 3> corner;
+};
+
+/// An edge between two triangles of a membrane: node0 -> node1, node2 in the triangle on its left, node3 on its right.
+struct StructureHinge {
+  std::array<int, 4> node{-1, -1, -1, -1};
+  int membrane = -1;
+  std::array<int, 2> triangle{-1, -1};  ///< left, right
+  double rest_angle = 0;                ///< rad, 0 for membranes drawn in a plane
+};
+
+struct StructureMembrane {
+  std::string name;
+  std::string material;             ///< name
+  Vec2 pre_stretch = Vec2::Ones();  ///< along axes 1 and 2
+  double bending = 1;               ///< multiplier of the bending stiffness
+  std::vector<int> nodes;           ///< of each vertex of the shape, in its order
+  int first_triangle = 0, triangles = 0;
+};
+
 struct Structure {
   std::vector<Vec3> nodes;  ///< m, drawn positions (n x 3)
   std::vector<StructureEdge> edges;
   std::vector<StructurePair> pairs;
   std::vector<StructureJoint> joints;
   std::vector<StructureRod> rods;
+  std::vector<StructureTriangle> triangles;
+  std::vector<StructureHinge> hinges;
+  std::vector<StructureMembrane> membranes;
   std::vector<int> component;  ///< connected part of each node, 0-based
   int components = 0;
   double size = 0;                 ///< m, diagonal of the bounding box of the drawn shape
