@@ -90,7 +90,7 @@ void measure(const std::string& name, const Model& model, int repetitions) {
   without("rotating path", [](SolveOptions& o) { o.path = StepPath::kRotating; });
   without("remembered shift", [](SolveOptions& o) { o.shift = ShiftRule::kRemembered; });
   without("no expansion", [](SolveOptions& o) { o.expansion = Expansion::kOff; });
-  without("relaxed frames", [](SolveOptions& o) { o.frames = FrameRelaxation::kOn; });
+  without("relaxed frames", [](SolveOptions& o) { o.frames = Relaxation::kOn; });
   without("root finding", [](SolveOptions& o) { o.method = Method::kFindRoot; });
 }
 

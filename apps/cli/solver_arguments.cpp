@@ -36,8 +36,10 @@ void add_solver_options(CLI::App& command, SolveOptions& options) {
          std::map<std::string, Expansion>{{"off", Expansion::kOff}, {"on", Expansion::kOn}},
          "Try longer steps while a shift is active [on]");
   choice("--frames", options.frames,
-         std::map<std::string, FrameRelaxation>{{"off", FrameRelaxation::kOff}, {"on", FrameRelaxation::kOn}},
+         std::map<std::string, Relaxation>{{"off", Relaxation::kOff}, {"on", Relaxation::kOn}},
          "Balance rolls and joint rotations inside each trial step [off]");
+  choice("--rods", options.rods, std::map<std::string, Relaxation>{{"off", Relaxation::kOff}, {"on", Relaxation::kOn}},
+         "Balance the rods of membranes inside each trial step [on]");
   choice("--at-saddle", options.at_saddle,
          std::map<std::string, AtSaddle>{{"escape", AtSaddle::kEscape}, {"stay", AtSaddle::kStay}},
          "Leave an unstable equilibrium, or stay there and report it [escape]");

@@ -30,13 +30,15 @@ PathStability path_stability(NewtonWorkspace& workspace, const State& state) {
 VecX load_sensitivity(NewtonWorkspace& workspace, const State& state) {
   const StaticProblem& problem = workspace.problem();
   const System& system = workspace.system();
-  // Loads are linear in the factor: one difference over a unit step is exact.
+  // Loads are linear in the factor: one difference over a unit step is exact. A growing pre-stretch is smooth in it.
+  const double reach = problem.stretches_with_load ? 1e-4 : 0.5;
   State other = state;
-  other.load_factor = state.load_factor + 1;
-  VecX local, image, here, there, free;
-  workspace.gradient(state, here);
-  workspace.gradient(other, there);
-  local = there - here;
+  VecX local, image, below, above, free;
+  other.load_factor = state.load_factor - reach;
+  workspace.gradient(other, below);
+  other.load_factor = state.load_factor + reach;
+  workspace.gradient(other, above);
+  local = (above - below) / (2 * reach);
   problem.supports.restrict(local, free);
   if (!problem.supports.moves()) return free;
   const double step = 1e-6;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lissom/equilibrium/frame_relaxation.h"
+#include "lissom/equilibrium/block_relaxation.h"
 #include "lissom/equilibrium/shift.h"
 #include "lissom/equilibrium/step_limits.h"
 #include "lissom/equilibrium/step_path.h"
@@ -22,7 +22,10 @@ class Minimization {
  public:
   Minimization(NewtonWorkspace& workspace, State& state, const SolveOptions& options)
       : workspace_(workspace), options_(options), path_(workspace, options.path), shift_(options.shift), state_(state) {
-    if (options.frames == FrameRelaxation::kOn) relaxation_.emplace(workspace);
+    if (options.frames == Relaxation::kOn) frames_.emplace(workspace, frame_unknowns(workspace.system()));
+    if (options.rods == Relaxation::kOn && !workspace.system().structure.triangles.empty()) {
+      rods_.emplace(workspace, rod_unknowns(workspace.system()));
+    }
   }
 
   Descent run(double tolerance, int max_iterations, std::vector<IterationRecord>& records);
@@ -36,17 +39,18 @@ class Minimization {
   const SolveOptions& options_;
   StepPathPolicy path_;
   ShiftPolicy shift_;
-  std::optional<FrameRelaxer> relaxation_;
+  std::optional<BlockRelaxer> frames_, rods_;
   State& state_;
   State trial_, best_;
   VecX free_, step_, image_;
-  double energy_ = 0, trial_energy_ = 0, taken_ = 0;
+  double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
   bool first_trial_ = false;
 };
 
 double Minimization::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
-  if (relaxation_) relaxation_->relax(trial_, 2);
+  if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
+  if (rods_) rods_->relax(trial_, 2, shift_.shift(), tolerance_);
   const double v = workspace_.energy(trial_);
   return std::isfinite(v) ? v : INFINITY;
 }
@@ -95,6 +99,7 @@ void Minimization::expand(double slope, double turn, double roll) {
 
 Descent Minimization::run(double tolerance, int max_iterations, std::vector<IterationRecord>& records) {
   Descent result;
+  tolerance_ = tolerance;
   energy_ = workspace_.energy(state_);
   if (!std::isfinite(energy_)) return result;
   int without_progress = 0;

@@ -23,8 +23,8 @@ enum class ShiftRule {
   kEigenvalue,  ///< from an estimate of the lowest eigenvalue (E)
 };
 
-enum class Expansion { kOff, kOn };        ///< try longer steps while a shift is active (X)
-enum class FrameRelaxation { kOff, kOn };  ///< balance rolls and joint rotations inside each trial (F)
+enum class Expansion { kOff, kOn };   ///< try longer steps while a shift is active (X)
+enum class Relaxation { kOff, kOn };  ///< balance a part of the unknowns inside each trial
 
 /// What to do in an equilibrium that is not stable.
 enum class AtSaddle {
@@ -39,7 +39,9 @@ struct SolveOptions {
   StepPath path = StepPath::kSecondOrderRotating;
   ShiftRule shift = ShiftRule::kEigenvalue;
   Expansion expansion = Expansion::kOn;
-  FrameRelaxation frames = FrameRelaxation::kOff;
+  Relaxation frames = Relaxation::kOff;  ///< rolls and joint rotations (F)
+  Relaxation rods =
+      Relaxation::kOn;  ///< all of the rods, the rest of the membranes held (B); where there are membranes
   AtSaddle at_saddle = AtSaddle::kEscape;
   double max_turn = 0.7;  ///< rad, largest turn of an edge in one step
   double max_roll = 0.5;  ///< rad, largest change of a roll or joint rotation in one step

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,8 @@
 namespace lissom {
 
 namespace {
+
+constexpr double kOwnSeed = 0.05;  // of the larger extent of the plan
 
 /// Half a sine along each rod.
 VecX sine_heights(const System& system) {
@@ -37,18 +40,56 @@ VecX dome_heights(const StaticProblem& problem, const Vec3& direction) {
   return height / largest;
 }
 
+/// A saddle with some slope and skew, so that no mode of a symmetric plan is left out [convergence 4]; largest 1.
+VecX saddle_heights(const System& system) {
+  Vec3 low = system.structure.nodes[0], high = low;
+  for (const Vec3& p : system.structure.nodes) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec3 centre = 0.5 * (low + high);
+  const double extent = std::max(high.x() - low.x(), high.y() - low.y());
+  VecX height(system.layout.nodes());
+  for (int i = 0; i < height.size(); ++i) {
+    const double x = (system.structure.nodes[i].x() - centre.x()) / extent;
+    const double y = (system.structure.nodes[i].y() - centre.y()) / extent;
+    height[i] = 4 * x * y + 0.9 * (x * x - y * y) + 0.3 * x * x + 0.2 * x * x * x - 0.15 * y * y * y;
+  }
+  return height / std::max(height.cwiseAbs().maxCoeff(), 1e-300);
+}
+
+/// The seed of a pose that names none.
+Seed own_seed(const System& system) {
+  Seed seed;
+  Vec3 low = system.structure.nodes[0], high = low;
+  for (const Vec3& p : system.structure.nodes) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double extent = std::max(high.x() - low.x(), high.y() - low.y());
+  if (system.rest.max_tension <= 0 || system.structure.rods.empty() || high.z() - low.z() > 1e-6 * extent) return seed;
+  seed.shape = Seed::Shape::kSaddle;
+  seed.amplitude = kOwnSeed * extent;
+  return seed;
+}
+
 }  // namespace
 
 State start_state(const StaticProblem& problem, const Pose& pose) {
   const System& system = *problem.system;
   State state = drawn_state(system);
-  if (!pose.seed || pose.seed->amplitude == 0) return state;
-  const Vec3 direction = pose.seed->direction.normalized();
+  const Seed seed = pose.seed ? *pose.seed : own_seed(system);
+  if (seed.amplitude == 0) return state;
+  const Vec3 direction = seed.direction.normalized();
   VecX height;
-  if (system.structure.rods.size() > 1) height = dome_heights(problem, direction);
+  if (seed.shape == Seed::Shape::kSaddle) {
+    height = saddle_heights(system);
+  } else if (system.structure.rods.size() > 1) {
+    height = dome_heights(problem, direction);
+  }
   if (height.size() == 0) height = sine_heights(system);
   VecX dq = VecX::Zero(system.layout.size());
-  for (int i = 0; i < system.layout.nodes(); ++i) dq.segment<3>(3 * i) = pose.seed->amplitude * height[i] * direction;
+  for (int i = 0; i < system.layout.nodes(); ++i) dq.segment<3>(3 * i) = seed.amplitude * height[i] * direction;
   // Held unknowns stay where they are.
   problem.potential.to_local(dq);
   for (int i = 0; i < dq.size(); ++i) {

@@ -40,7 +40,8 @@ double largest_load(const System& system, const Potential& potential) {
 Scales make_scales(const System& system, const Potential& potential) {
   Scales scales;
   scales.length = system.structure.size;
-  scales.force = std::max(largest_load(system, potential), 1e-6 * system.rest.max_stretch);
+  scales.force = std::max({largest_load(system, potential), 1e-6 * system.rest.max_stretch,
+                           system.rest.max_tension * system.rest.mean_edge_length});
   scales.moment = scales.force * system.rest.mean_edge_length;
   // An edge length is known to machine precision of the coordinates; the axial force amplifies it by E A / l.
   double reach = 0, stiffest = 0, bend = 0;
@@ -48,6 +49,9 @@ Scales make_scales(const System& system, const Potential& potential) {
   for (const EdgeRest& edge : system.rest.edges) stiffest = std::max(stiffest, edge.stretch / edge.length);
   for (const PairRest& pair : system.rest.pairs) bend = std::max({bend, pair.bend_1, pair.bend_2});
   for (const PairRest& pair : system.rest.connections) bend = std::max({bend, pair.bend_1, pair.bend_2});
+  for (const TriangleRest& triangle : system.rest.triangles) {
+    stiffest = std::max({stiffest, triangle.stiffness_1, triangle.stiffness_2});
+  }
   scales.rounding = 4 * std::numeric_limits<double>::epsilon() * stiffest * (reach + scales.length);
   scales.stiffness = bend > 0 ? bend / std::pow(scales.length, 3) : system.rest.max_stretch / scales.length;
   return scales;
@@ -55,13 +59,18 @@ Scales make_scales(const System& system, const Potential& potential) {
 
 VecX make_mode_metric(const System& system, const Supports& supports) {
   VecX metric = VecX::Zero(system.layout.size());
-  double total = 0;
-  for (const EdgeRest& edge : system.rest.edges) total += edge.length;
+  double length = 0, area = 0;
+  for (const EdgeRest& edge : system.rest.edges) length += edge.length;
+  for (const TriangleRest& triangle : system.rest.triangles) area += triangle.area;
+  // Rods and membranes count alike where there are both.
+  const double per_length = length > 0 ? (area > 0 ? 0.5 : 1.0) / length : 0;
+  const double per_area = area > 0 ? (length > 0 ? 0.5 : 1.0) / area : 0;
   for (int i = 0; i < system.layout.nodes(); ++i) {
-    metric.segment<3>(3 * i).setConstant(system.rest.node_length[i] / total);
+    const double share = per_length * system.rest.node_length[i] + per_area * system.rest.node_area[i];
+    metric.segment<3>(3 * i).setConstant(share);
   }
   for (int e = 0; e < system.edge_count(); ++e) {
-    metric[system.layout.roll(e)] = system.rest.edges[e].length * system.rest.edges[e].gyration2 / total;
+    metric[system.layout.roll(e)] = per_length * system.rest.edges[e].length * system.rest.edges[e].gyration2;
   }
   VecX free;
   supports.restrict(metric, free);
@@ -79,7 +88,9 @@ Result<StaticProblem> make_static_problem(const Model& model, const System& syst
   Potential potential(system.layout.size(), std::move(terms).value(), supports.value().local_axes());
   const Scales scales = make_scales(system, potential);
   VecX metric = make_mode_metric(system, supports.value());
-  return StaticProblem{&system, std::move(potential), std::move(supports).value(), scales, std::move(metric)};
+  const bool stretches = pose.stretch_scaling == Scaling::kProportional && system.rest.max_tension != 0;
+  return StaticProblem{&system,   std::move(potential), std::move(supports).value(), scales,
+                       stretches, std::move(metric)};
 }
 
 }  // namespace lissom

@@ -25,6 +25,7 @@ struct StaticProblem {
   Potential potential;
   Supports supports;
   Scales scales;
+  bool stretches_with_load = false;  ///< the pre-stretch of membranes grows with the load factor
   VecX mode_metric;  ///< per free unknown: share of the length (positions), times the squared gyration radius
                      ///< (rolls), 0 (joint rotations). Eigenvalues by it are stiffnesses in N/m of a mode of
                      ///< unit root-mean-square displacement.

@@ -10,8 +10,12 @@ namespace lissom {
 
 StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path) : workspace_(workspace), path_(path) {
   if (path == StepPath::kRotating || path == StepPath::kSecondOrderRotating) {
-    fit_.emplace(workspace.problem());
-    if (!fit_->factorize(0)) fit_.reset();
+    if (workspace.system().structure.triangles.empty()) {
+      fit_.emplace(workspace.problem());
+      if (!fit_->factorize(0)) fit_.reset();
+    } else {
+      length_fit_.emplace(workspace.problem());
+    }
   }
 }
 
@@ -55,6 +59,7 @@ bool StepPathPolicy::at(double a, State& trial) {
   if (has_p_) increment_ += a * a * p_;
   // Positions closest to edges that turn at their length: min sum (1 / l) |x1 - x0 - wanted|^2.
   if (fit_ && !rotate(a, increment_)) return false;
+  if (length_fit_ && !length_fit_->mend(*state_, a, d_, increment_)) return false;
   return advance(workspace_.system(), *state_, increment_, trial, workspace_.context().threads);
 }
 

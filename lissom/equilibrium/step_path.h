@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lissom/equilibrium/edge_laplacian.h"
+#include "lissom/equilibrium/length_fit.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/options.h"
 
@@ -33,7 +34,8 @@ class StepPathPolicy {
   VecX forward_, backward_, free_;
   State probe_;
   VecX pull_, fitted_;
-  std::optional<EdgeLaplacian> fit_;
+  std::optional<EdgeLaplacian> fit_;     // of rods alone
+  std::optional<LengthFit> length_fit_;  // of rods in membranes
 };
 
 /// Gradient at `moved` of the energy anchored at `anchor`, with `moved` = anchor advanced by dq [mathematics 1.8]: the

@@ -6,6 +6,8 @@
 #include "lissom/mechanics/joint_corotational_kernel.h"
 #include "lissom/mechanics/joint_explicit.h"
 #include "lissom/mechanics/loads.h"
+#include "lissom/mechanics/membrane_bend.h"
+#include "lissom/mechanics/membrane_stretch.h"
 #include "lissom/mechanics/rod_bend_twist.h"
 #include "lissom/mechanics/rod_stretch.h"
 
@@ -95,6 +97,45 @@ Status corotational_joints(const Source& source, Terms& terms) {
     }
   }
   append_corotational_joints(source.model, source.system, terms);
+  return {};
+}
+
+Status membrane_stretch(const Source& source, Terms& terms) {
+  const Structure& structure = source.system.structure;
+  MembraneStretch energy;
+  const bool proportional = source.pose != nullptr && source.pose->stretch_scaling == Scaling::kProportional;
+  for (size_t t = 0; t < structure.triangles.size(); ++t) {
+    const StructureTriangle& triangle = structure.triangles[t];
+    const TriangleRest& rest = source.system.rest.triangles[t];
+    MembraneStretch::Stencil stencil;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) stencil.dofs[3 * i + k] = 3 * triangle.node[i] + k;
+      for (int k = 0; k < 2; ++k) stencil.rest[2 * i + k] = rest.corner[i][k];
+    }
+    stencil.rest[6] = rest.stiffness_1;
+    stencil.rest[7] = rest.stiffness_2;
+    stencil.rest[8] = rest.poisson_ratio;
+    if (proportional) stencil.pre_stretch = structure.membranes[triangle.membrane].pre_stretch;
+    energy.stencils.push_back(stencil);
+  }
+  energy.scaling = proportional ? Scaling::kProportional : Scaling::kConstant;
+  add(terms, std::move(energy));
+  return {};
+}
+
+Status membrane_bend(const Source& source, Terms& terms) {
+  const Structure& structure = source.system.structure;
+  MembraneBend energy;
+  for (size_t h = 0; h < structure.hinges.size(); ++h) {
+    const HingeRest& rest = source.system.rest.hinges[h];
+    if (rest.stiffness == 0) continue;
+    MembraneBend::Stencil stencil{{}, {rest.stiffness, rest.angle}};
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < 3; ++k) stencil.dofs[3 * i + k] = 3 * structure.hinges[h].node[i] + k;
+    }
+    energy.stencils.push_back(stencil);
+  }
+  add(terms, std::move(energy));
   return {};
 }
 
@@ -199,7 +240,8 @@ Status soft_pins(const Source& source, Terms& terms) {
 using Builder = Status (*)(const Source&, Terms&);
 
 /// One line per energy.
-constexpr Builder kElastic[] = {stretch, bend_twist, explicit_joints, corotational_joints};
+constexpr Builder kElastic[] = {stretch,          bend_twist,   explicit_joints, corotational_joints,
+                                membrane_stretch, membrane_bend};
 constexpr Builder kOfPose[] = {gravity, line_loads, forces, moments, soft_pins};
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "lissom/core/types.h"
 #include "lissom/mechanics/state.h"
@@ -47,6 +48,8 @@ class EnergyTerm {
   /// Rest quantities of one stencil, and a copy of the term with others (for checks of the mixed block).
   virtual VecX rest(int stencil) const = 0;
   virtual void set_rest(int stencil, const VecX& rest) = 0;
+  /// The term over those stencils alone that have one of the marked unknowns.
+  virtual std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown) const = 0;
 };
 
 }  // namespace lissom

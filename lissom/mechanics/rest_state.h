@@ -1,6 +1,7 @@
 #pragma once
 /// Numbers implied by the undeformed shape and the sections: rest lengths, natural strains, stiffnesses, masses.
 
+#include <array>
 #include <vector>
 
 #include "lissom/core/result.h"
@@ -24,16 +25,34 @@ struct PairRest {
   double length = 0;                                   ///< integration length, m [mathematics 1.4]
 };
 
+/// Per membrane triangle.
+struct TriangleRest {
+  std::array<Vec2, 3> corner;               ///< m, along the material axes: the drawn corners over the pre-stretch
+  double stiffness_1 = 0, stiffness_2 = 0;  ///< N/m
+  double poisson_ratio = 0;
+  double area = 0;  ///< m^2, at rest
+};
+
+/// Per edge between two triangles.
+struct HingeRest {
+  double stiffness = 0;  ///< N m, D |e|^2 / (A_1 + A_2) [mathematics 3.2, erratum E16]
+  double angle = 0;      ///< rad
+};
+
 /// Rest numbers of a whole structure, in the order of its edges, pairs, and connections (joint by joint).
 struct RestState {
   std::vector<EdgeRest> edges;
   std::vector<PairRest> pairs;
   std::vector<PairRest> connections;  ///< natural strains 0; length = half the rest length of the edge (erratum E8)
-  std::vector<double> node_mass;      ///< kg, half of each incident edge
-  std::vector<double> node_length;    ///< m, half of each incident edge: where distributed loads go
-  double total_mass = 0;              ///< kg
-  double mean_edge_length = 0;        ///< m
-  double max_stretch = 0;             ///< N, largest E A
+  std::vector<TriangleRest> triangles;
+  std::vector<HingeRest> hinges;    ///< stiffness 0 where a membrane does not resist bending
+  std::vector<double> node_mass;    ///< kg, half of each incident edge, a third of each triangle
+  std::vector<double> node_length;  ///< m, half of each incident edge: where distributed loads go
+  std::vector<double> node_area;    ///< m^2, a third of each incident triangle at rest
+  double total_mass = 0;            ///< kg
+  double mean_edge_length = 0;      ///< m, of rods; of triangles where there are none
+  double max_stretch = 0;           ///< N, largest E A
+  double max_tension = 0;           ///< N/m, largest tension of a drawn membrane that only its pre-stretch strains
 };
 
 Result<RestState> make_rest_state(const Model& model, const Structure& structure);

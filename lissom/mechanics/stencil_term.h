@@ -134,6 +134,13 @@ class StencilTerm final : public EnergyTerm {
   void set_rest(int index, const VecX& rest) override {
     for (int i = 0; i < E::kRest; ++i) energy_.stencils[index].rest[i] = rest[i];
   }
+  std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown) const override {
+    E part = energy_;
+    std::erase_if(part.stencils, [&](const typename E::Stencil& s) {
+      return std::none_of(s.dofs.begin(), s.dofs.end(), [&](int dof) { return unknown[dof]; });
+    });
+    return std::make_unique<StencilTerm>(std::move(part));
+  }
 
  private:
   static constexpr int kRestChunk = E::kRest <= kRestAtOnce ? E::kRest : 5;

@@ -112,7 +112,7 @@ Status sample_rods(Draft& draft, double refine) {
 /// Numbers the nodes in the order of the rods; points within the merge distance become the first of them.
 Status merge_nodes(Draft& draft) {
   Structure& s = draft.structure;
-  Vec3 low = draft.drawn[0].points[0], high = low;
+  Vec3 low = draft.drawn.empty() ? draft.membranes[0].points[0] : draft.drawn[0].points[0], high = low;
   double shortest = std::numeric_limits<double>::infinity();
   size_t total = 0;
   for (const RodShape& rod : draft.drawn) {
@@ -122,6 +122,17 @@ Status merge_nodes(Draft& draft) {
     }
     for (double length : rod.lengths) shortest = std::min(shortest, length);
     total += rod.points.size();
+  }
+  for (const MembraneMesh& membrane : draft.membranes) {
+    for (const Vec3& p : membrane.points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    for (const std::array<int, 3>& t : membrane.triangles) {
+      const double side = (membrane.points[t[1]] - membrane.points[t[0]]).norm();
+      if (side > 0) shortest = std::min(shortest, side);
+    }
+    total += membrane.points.size();
   }
   s.size = (high - low).norm();
   const double asked = draft.model.merge_distance;
@@ -150,6 +161,17 @@ Status merge_nodes(Draft& draft) {
     }
     s.rods.push_back(std::move(out));
   }
+  for (size_t m = 0; m < draft.membranes.size(); ++m) {
+    const Membrane& membrane = draft.model.membranes[m];
+    StructureMembrane out{membrane.name, membrane.material, {}, 1, {}, 0, 0};
+    for (const Vec3& p : draft.membranes[m].points) {
+      int node = static_cast<int>(s.nodes.size());
+      if (asked >= 0) node = grid.insert(p);
+      if (node == static_cast<int>(s.nodes.size())) s.nodes.push_back(p);
+      out.nodes.push_back(node);
+    }
+    s.membranes.push_back(std::move(out));
+  }
   draft.passages.assign(s.nodes.size(), 0);
   for (const StructureRod& rod : s.rods) {
     for (int node : rod.nodes) ++draft.passages[static_cast<size_t>(node)];
@@ -174,7 +196,13 @@ void set_edges(Draft& draft) {
       length += draft.drawn[r].lengths[static_cast<size_t>(i)];
     }
   }
-  s.mean_edge_length = length / double(s.edges.size());
+  size_t edges = s.edges.size();
+  if (edges == 0) {  // membranes alone
+    for (const StructureTriangle& t : s.triangles) {
+      for (int i = 0; i < 3; ++i, ++edges) length += (s.nodes[t.node[i]] - s.nodes[t.node[(i + 1) % 3]]).norm();
+    }
+  }
+  s.mean_edge_length = length / double(edges);
 }
 
 void set_components(Structure& s) {
@@ -188,9 +216,14 @@ void set_components(Structure& s) {
     }
     return i;
   };
-  for (const StructureEdge& edge : s.edges) {
-    const int a = root(edge.node0), b = root(edge.node1);
+  const auto join = [&](int i, int j) {
+    const int a = root(i), b = root(j);
     parent[static_cast<size_t>(std::max(a, b))] = std::min(a, b);
+  };
+  for (const StructureEdge& edge : s.edges) join(edge.node0, edge.node1);
+  for (const StructureTriangle& t : s.triangles) {
+    join(t.node[0], t.node[1]);
+    join(t.node[0], t.node[2]);
   }
   s.component.assign(s.nodes.size(), -1);
   for (size_t i = 0; i < s.nodes.size(); ++i) {
@@ -221,15 +254,17 @@ void set_drawn_frames(Draft& draft) {
 }  // namespace
 
 Result<Structure> discretize(const Model& model, double refine) {
-  if (model.rods.empty()) {
-    return Error{ErrorCode::kGeometry, "/rods", "there is no rod", "describe at least one"};
+  if (model.rods.empty() && model.membranes.empty()) {
+    return Error{ErrorCode::kGeometry, "/rods", "there is no rod and no membrane", "describe at least one"};
   }
-  Draft draft{model, {}, {}, {}, {}, {}};
+  Draft draft{model, {}, {}, {}, {}, {}, {}};
   for (const NetworkFile& file : model.network_files) {
     draft.structure.notes.insert(draft.structure.notes.end(), file.notes.begin(), file.notes.end());
   }
   if (Status s = sample_rods(draft, refine); !s) return s.error();
+  if (Status s = cut_membranes(draft, refine); !s) return s.error();
   if (Status s = merge_nodes(draft); !s) return s.error();
+  if (Status s = set_membranes(draft); !s) return s.error();
   set_edges(draft);
   set_components(draft.structure);
   set_drawn_frames(draft);

@@ -35,10 +35,11 @@ struct RodShape {
 struct Draft {
   const Model& model;
   Structure structure;
-  std::vector<RodShape> drawn;      ///< by rod, on the merged nodes
-  std::vector<RodShape> rest;       ///< by rod; empty unless the rest shape is a curve of its own
-  std::vector<int> passages;        ///< by node: how many rod ends and through-going rods meet there
-  std::vector<Vec3> joint_normals;  ///< by node, zero where no rod with axes from joints ends
+  std::vector<RodShape> drawn;          ///< by rod, on the merged nodes
+  std::vector<RodShape> rest;           ///< by rod; empty unless the rest shape is a curve of its own
+  std::vector<MembraneMesh> membranes;  ///< cut into triangles, on the points of the shape
+  std::vector<int> passages;            ///< by node: how many rod ends and through-going rods meet there
+  std::vector<Vec3> joint_normals;      ///< by node, zero where no rod with axes from joints ends
 };
 
 /// Error place of a rod, "/rods/3", and its name for messages.
@@ -70,6 +71,10 @@ Frame connection_rest(const Draft& draft, int rod, int edge, bool at_end);
 
 /// discretize_joints.cpp: joints of the network and of the poses, and the pairs that no joint replaces.
 Status set_joints_and_pairs(Draft& draft);
+
+/// discretize_membranes.cpp: cuts membranes into triangles; then, on merged nodes, their triangles and hinges.
+Status cut_membranes(Draft& draft, double refine);
+Status set_membranes(Draft& draft);
 
 /// discretize_supports.cpp: refuses poses in which a later support takes back the movement of an earlier one.
 Status check_supports(const Draft& draft);

@@ -3,6 +3,8 @@
 namespace lissom {
 namespace {
 
+constexpr std::pair<std::string_view, Seed::Shape> kSeedShapes[] = {{"bump", Seed::Shape::kBump},
+                                                                    {"saddle", Seed::Shape::kSaddle}};
 constexpr std::pair<std::string_view, Scaling> kScalings[] = {{"proportional", Scaling::kProportional},
                                                               {"constant", Scaling::kConstant}};
 constexpr ChoiceOf<Scaling> kScaling{kScalings};
@@ -103,9 +105,12 @@ void describe(Fields& fields, LoadPath& path) {
 }
 
 void describe(Fields& fields, Seed& seed) {
-  fields.field("direction", seed.direction, DirectionOf(), kOptional, "Direction of the bump.")
+  fields
+      .field("shape", seed.shape, ChoiceOf<Seed::Shape>{kSeedShapes}, kOptional,
+             "A bump over each rod or over a network, or a smooth saddle over the plan.")
+      .field("direction", seed.direction, DirectionOf(), kOptional, "Direction of the displacement.")
       .field("amplitude", seed.amplitude, NumberOf{Measure::kLength}, kRequired,
-             "Height of a half-sine along each rod, or of a dome over a network.");
+             "Largest height; 0 starts from the drawn shape itself.");
 }
 
 void describe(Fields& fields, Pose& pose) {
@@ -123,8 +128,13 @@ void describe(Fields& fields, Pose& pose) {
              "Loads spread along rods.")
       .field("gravity", pose.gravity, GravityOf(), kOptional,
              "true (9.81 m/s^2 along -z), a magnitude, a vector, or an object; absent: none.")
+      .field("pre_stretch", pose.stretch_scaling, kScaling, kOptional,
+             "Whether the pre-stretch of membranes grows from 1 with the load factor.")
       .field("path", pose.path, ObjectOf<LoadPath>{"path"}, kOptional, "Load factors to visit.")
-      .field("seed", pose.seed, ObjectOf<Seed>{"seed"}, kOptional, "A sideways bump to start from.")
+      .field("seed", pose.seed, ObjectOf<Seed>{"seed"}, kOptional,
+             "A shape to start from. When absent, flat rods on pre-stretched membranes start from a saddle of 5 % of "
+             "their "
+             "extent, everything else as drawn.")
       .field("frozen", pose.frozen, FlagOf(), kOptional, "Whether everything stays where it is drawn.");
 }
 

@@ -81,10 +81,15 @@ struct LoadPath {
   bool switch_branch = false;  ///< continue on the bifurcating branch at the first bifurcation
 };
 
-/// A shape to start from instead of the drawn one: smooth sideways bump, for structures that start at a critical point.
+/// A shape to start from instead of the drawn one, for structures that start at a critical point.
 struct Seed {
+  enum class Shape {
+    kBump,    ///< half-sine along each rod, or the sag of a net between what is held
+    kSaddle,  ///< a smooth polynomial without symmetry, mostly a saddle, over the plan [convergence 4]
+  };
+  Shape shape = Shape::kBump;
   Vec3 direction = Vec3::UnitZ();
-  double amplitude = 0;  ///< m, height of a half-sine along each rod, or of the sag of a net between what is held
+  double amplitude = 0;  ///< m, largest height; 0: the drawn shape itself
 };
 
 /// Rigid motions that no support prevents.
@@ -102,7 +107,11 @@ struct Pose {
   std::vector<PointMoment> moments;
   std::vector<LineLoad> line_loads;
   std::optional<Gravity> gravity;
+  /// Proportional: at load factor f a pre-stretch s is 1 + f (s - 1), so that a path finds where the flat shape buckles.
+  Scaling stretch_scaling = Scaling::kConstant;
   std::optional<LoadPath> path;
+  /// Absent: none, but a flat plan with rods on pre-stretched membranes starts from a saddle of 5 % of its extent towards
+  /// +z: the flat shape is an exact saddle point of the energy. Of two mirror images this one is found.
   std::optional<Seed> seed;
   /// Every node and roll stays where it is drawn: energies and internal forces of a prescribed shape.
   bool frozen = false;

@@ -40,7 +40,7 @@ TEST(Allocations, NoneInAnIterationAfterTheFirst) {
   plain.shift = ShiftRule::kRemembered;
   plain.expansion = Expansion::kOff;
   SolveOptions relaxed;
-  relaxed.frames = FrameRelaxation::kOn;
+  relaxed.frames = Relaxation::kOn;
   SolveOptions root;
   root.method = Method::kFindRoot;
   for (const char* name : {"cantilever", "hexagon_sheet"}) {

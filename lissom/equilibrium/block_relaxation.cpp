@@ -1,0 +1,111 @@
+#include "lissom/equilibrium/block_relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace lissom {
+
+namespace {
+
+constexpr double kMostTurn = 0.5;  // rad, of a roll or joint rotation in one step
+constexpr double kEnergyNoise = 1e-13;
+
+}  // namespace
+
+BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part) : workspace_(workspace) {
+  const DofLayout& layout = workspace.system().layout;
+  const Potential& whole = workspace.problem().potential;
+  kept_.assign(layout.size(), -1);
+  for (int i = 0; i < layout.size(); ++i) {
+    if (takes_part[i] && workspace.problem().supports.kept()[i] >= 0) {
+      kept_[i] = unknowns_++;
+      if (layout.dof_class(i) == DofClass::kPosition) ++positions_;
+    }
+  }
+  if (!useful()) return;
+  // Local axes mix three unknowns: what touches one of them touches all.
+  std::vector<bool> touched = takes_part;
+  for (const LocalAxes& axes : whole.local_axes()) {
+    const bool any = takes_part[axes.first_dof] || takes_part[axes.first_dof + 1] || takes_part[axes.first_dof + 2];
+    for (int i = 0; i < 3; ++i) touched[axes.first_dof + i] = any;
+  }
+  std::vector<std::unique_ptr<EnergyTerm>> terms;
+  for (const auto& term : whole.terms()) {
+    std::unique_ptr<EnergyTerm> part = term->touching(touched);
+    if (part->stencils() > 0) terms.push_back(std::move(part));
+  }
+  potential_.emplace(whole.dofs(), std::move(terms),
+                     std::vector<LocalAxes>(whole.local_axes().begin(), whole.local_axes().end()));
+  factor_.emplace(potential_->pattern(), kept_);
+  g_.resize(unknowns_);
+  metric_.resize(unknowns_);
+}
+
+bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance) {
+  if (!useful()) return false;
+  bool changed = false;
+  const std::span<const int> kept = workspace_.problem().supports.kept();
+  for (int k = 0; k < steps; ++k) {
+    potential_->hessian(state, gradient_, hessian_, buffers_, workspace_.context().threads);
+    double force = 0, moment = 0;
+    for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
+      if (kept_[i] < 0) continue;
+      g_[kept_[i]] = gradient_[i];
+      metric_[kept_[i]] = workspace_.metric()[kept[i]];
+      double& largest = kept_[i] < positions_ ? force : moment;
+      largest = std::max(largest, std::abs(gradient_[i]));
+    }
+    const double residual = std::max(force, moment / workspace_.system().rest.mean_edge_length);
+    if (!(residual > tolerance)) return changed;
+    if (!factor_->factorize(hessian_, shift, {metric_.data(), static_cast<size_t>(unknowns_)}).positive_definite) {
+      return changed;
+    }
+    d_ = -g_;
+    factor_->solve(d_, d_);
+    if (!d_.allFinite()) return changed;
+    if (!descend(state, g_.dot(d_))) return changed;
+    changed = true;
+  }
+  return changed;
+}
+
+bool BlockRelaxer::descend(State& state, double slope) {
+  const double turn = positions_ < unknowns_ ? d_.tail(unknowns_ - positions_).cwiseAbs().maxCoeff() : 0;
+  double a = turn > kMostTurn ? kMostTurn / turn : 1;
+  const double before = potential_->value(state, buffers_, workspace_.context().threads);
+  step_.setZero(static_cast<int>(kept_.size()));
+  for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
+    if (kept_[i] >= 0) step_[i] = d_[kept_[i]];
+  }
+  potential_->to_global(step_);
+  for (int attempt = 0; attempt < 3; ++attempt, a *= 0.4) {
+    increment_ = a * step_;
+    if (!advance(workspace_.system(), state, increment_, moved_, workspace_.context().threads)) continue;
+    const double after = potential_->value(moved_, buffers_, workspace_.context().threads);
+    if (after <= before + 1e-4 * a * slope + kEnergyNoise * std::abs(before)) {
+      std::swap(state, moved_);
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<bool> frame_unknowns(const System& system) {
+  std::vector<bool> part(system.layout.size(), false);
+  for (int i = 3 * system.layout.nodes(); i < system.layout.size(); ++i) part[i] = true;
+  return part;
+}
+
+std::vector<bool> rod_unknowns(const System& system) {
+  std::vector<bool> part = frame_unknowns(system);
+  for (const StructureEdge& edge : system.structure.edges) {
+    for (const int node : {edge.node0, edge.node1}) {
+      for (int i = 0; i < 3; ++i) part[3 * node + i] = true;
+    }
+  }
+  return part;
+}
+
+}  // namespace lissom

@@ -1,0 +1,45 @@
+#pragma once
+/// Brings a part of the unknowns into balance while all others are held: a small system next to the whole one, solved
+/// inside a trial step so that the energies of trials are not spoiled by what is stiff and local [convergence 4, F and B;
+/// section 3]. Only stencils that touch the part are assembled.
+
+#include <optional>
+#include <vector>
+
+#include "lissom/core/linear_solver.h"
+#include "lissom/equilibrium/newton_workspace.h"
+
+namespace lissom {
+
+class BlockRelaxer {
+ public:
+  /// `takes_part[i]`: unknown i (local axes) is relaxed unless a support holds it.
+  BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part);
+
+  /// Whether there is anything to relax, and anything that is held.
+  bool useful() const { return unknowns_ > 0 && unknowns_ < workspace_.problem().supports.unknowns(); }
+
+  /// At most `steps` Newton steps with H + shift * metric, none of which raises the energy. Stops early where the small
+  /// matrix is not positive definite or the residual is below `tolerance` (N). False when nothing was changed.
+  bool relax(State& state, int steps, double shift, double tolerance);
+
+ private:
+  bool descend(State& state, double slope);
+
+  NewtonWorkspace& workspace_;
+  std::vector<int> kept_;
+  int unknowns_ = 0, positions_ = 0;  // of the part; the positions come first
+  std::optional<Potential> potential_;
+  std::optional<LinearSolver> factor_;
+  AssemblyBuffers buffers_;
+  VecX gradient_, g_, d_, metric_, step_, increment_;
+  std::vector<double> hessian_;
+  State moved_;
+};
+
+/// Rolls and joint rotations: the frames.
+std::vector<bool> frame_unknowns(const System& system);
+/// Everything that rods have: positions of their nodes, rolls and joint rotations.
+std::vector<bool> rod_unknowns(const System& system);
+
+}  // namespace lissom

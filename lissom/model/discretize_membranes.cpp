@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <utility>
+
+#include "lissom/core/nearest_name.h"
+#include "lissom/geometry/planar_patterns.h"
+#include "lissom/model/discretize_parts.h"
+#include "lissom/model/limits.h"
+
+namespace lissom {
+
+namespace {
+
+std::string membrane_place(size_t m) { return fmt::format("/membranes/{}", m); }
+
+std::string membrane_label(const Model& model, size_t m) {
+  const std::string& name = model.membranes[m].name;
+  return name.empty() ? fmt::format("membrane {}", m) : fmt::format("membrane \"{}\"", name);
+}
+
+int refined(int cells, double refine) { return std::max(1, static_cast<int>(std::lround(cells * refine))); }
+
+MembraneMesh lifted(const PlanarTriangles& flat) {
+  MembraneMesh mesh;
+  mesh.points.reserve(flat.points.size());
+  for (const Vec2& p : flat.points) mesh.points.emplace_back(p.x(), p.y(), 0);
+  mesh.triangles = flat.triangles;
+  return mesh;
+}
+
+MembraneMesh cut(const MembraneShape& shape, double refine) {
+  if (const auto* grid = std::get_if<MembraneGrid>(&shape)) {
+    return lifted(
+        grid_triangles(grid->corner, grid->size, refined(grid->cells_x, refine), refined(grid->cells_y, refine)));
+  }
+  if (const auto* disc = std::get_if<MembraneDisc>(&shape)) {
+    return lifted(disc_triangles(disc->centre, disc->inner_radius, disc->radius, refined(disc->rings, refine),
+                                 refined(disc->sectors, refine)));
+  }
+  if (const auto* sheet = std::get_if<MembraneTriangles>(&shape)) {
+    return lifted(equilateral_triangles(sheet->corner, sheet->edge / refine, refined(sheet->columns, refine),
+                                        refined(sheet->rows, refine)));
+  }
+  return std::get<MembraneMesh>(shape);
+}
+
+/// Material axes 1 and 2 in the plane with normal n: axis 1 is the warp direction of the drawing laid into the plane.
+std::pair<Vec3, Vec3> material_axes(const Vec3& n, double warp_angle) {
+  const Vec3 warp(std::cos(warp_angle), std::sin(warp_angle), 0);
+  Vec3 axis = warp - n * n.dot(warp);
+  if (axis.norm() < 1e-6) axis = Vec3::UnitZ() - n * n.z();
+  axis.normalize();
+  return {axis, n.cross(axis)};
+}
+
+/// Angle by which the two triangles of a hinge fold away from their normals [mathematics 3.2].
+double fold_angle(const Structure& s, const StructureHinge& hinge) {
+  const Vec3 &x0 = s.nodes[hinge.node[0]], &x1 = s.nodes[hinge.node[1]];
+  const Vec3 e = x1 - x0;
+  const Vec3 left = e.cross(s.nodes[hinge.node[2]] - x0), right = (s.nodes[hinge.node[3]] - x0).cross(e);
+  return std::atan2(e.normalized().dot(left.cross(right)), left.dot(right));
+}
+
+Error not_a_surface(const Draft& draft, size_t m, int a, const char* what, const char* hint) {
+  const Vec3& p = draft.structure.nodes[a];
+  return {ErrorCode::kGeometry, membrane_place(m),
+          fmt::format("{} {} at ({:.4g}, {:.4g}, {:.4g}) mm", membrane_label(draft.model, m), what, 1e3 * p.x(),
+                      1e3 * p.y(), 1e3 * p.z()),
+          hint};
+}
+
+Status add_triangles(Draft& draft, size_t m) {
+  Structure& s = draft.structure;
+  const Membrane& membrane = draft.model.membranes[m];
+  StructureMembrane& out = s.membranes[m];
+  out.first_triangle = static_cast<int>(s.triangles.size());
+  const std::vector<std::array<int, 3>>& triangles = draft.membranes[m].triangles;
+  out.triangles = static_cast<int>(triangles.size());
+  for (const std::array<int, 3>& local : triangles) {
+    StructureTriangle triangle;
+    triangle.membrane = static_cast<int>(m);
+    for (int i = 0; i < 3; ++i) triangle.node[i] = out.nodes[local[i]];
+    const Vec3 &a = s.nodes[triangle.node[0]], &b = s.nodes[triangle.node[1]], &c = s.nodes[triangle.node[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    if (!(normal.norm() > 1e-6 * longest2)) {
+      return not_a_surface(draft, m, triangle.node[0], "has a triangle without area",
+                           "move its points apart or leave it out");
+    }
+    const auto [axis_1, axis_2] = material_axes(normal.normalized(), membrane.warp_angle);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& x = s.nodes[triangle.node[i]];
+      triangle.corner[i] = Vec2(axis_1.dot(x), axis_2.dot(x));
+    }
+    s.triangles.push_back(triangle);
+  }
+  return {};
+}
+
+/// Hinges between neighbouring triangles of one membrane, in the order of the triangle on the left.
+Status add_hinges(Draft& draft, size_t m) {
+  Structure& s = draft.structure;
+  const StructureMembrane& membrane = s.membranes[m];
+  const int end = membrane.first_triangle + membrane.triangles;
+  std::map<std::pair<int, int>, std::pair<int, int>> half_edges;  // from, to: triangle, opposite corner
+  for (int t = membrane.first_triangle; t < end; ++t) {
+    const std::array<int, 3>& node = s.triangles[t].node;
+    for (int i = 0; i < 3; ++i) {
+      const int a = node[i], b = node[(i + 1) % 3];
+      if (!half_edges.emplace(std::pair(a, b), std::pair(t, node[(i + 2) % 3])).second) {
+        return not_a_surface(draft, m, a, "has an edge that two triangles run along in the same direction",
+                             "turn one of them around; at most two triangles meet at an edge");
+      }
+    }
+  }
+  for (int t = membrane.first_triangle; t < end; ++t) {
+    const std::array<int, 3>& node = s.triangles[t].node;
+    for (int i = 0; i < 3; ++i) {
+      const int a = node[i], b = node[(i + 1) % 3];
+      const auto other = half_edges.find({b, a});
+      if (other == half_edges.end() || other->second.first < t) continue;
+      StructureHinge hinge{
+          {a, b, node[(i + 2) % 3], other->second.second}, static_cast<int>(m), {t, other->second.first}, 0};
+      hinge.rest_angle = fold_angle(s, hinge);
+      s.hinges.push_back(hinge);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Status cut_membranes(Draft& draft, double refine) {
+  const Model& model = draft.model;
+  size_t nodes = 0;
+  for (size_t m = 0; m < model.membranes.size(); ++m) {
+    const Membrane& membrane = model.membranes[m];
+    if (!model.membrane_material(membrane.material)) {
+      std::vector<std::string> names;
+      for (const MembraneMaterial& own : model.membrane_materials) names.push_back(own.name);
+      for (const MembraneMaterial& known : membrane_library()) names.push_back(known.name);
+      return Error{
+          ErrorCode::kUnknown, membrane_place(m) + "/material",
+          fmt::format("{} is of a fabric \"{}\" that is not known", membrane_label(model, m), membrane.material),
+          suggestion(membrane.material, names)};
+    }
+    draft.membranes.push_back(cut(membrane.shape, refine));
+    nodes += draft.membranes.back().points.size();
+    if (nodes > static_cast<size_t>(kMostNodes)) {
+      return Error{ErrorCode::kRange, membrane_place(m),
+                   fmt::format("the membranes would have more than {} vertices", kMostNodes), "use larger triangles"};
+    }
+  }
+  return {};
+}
+
+Status set_membranes(Draft& draft) {
+  for (size_t m = 0; m < draft.membranes.size(); ++m) {
+    const Membrane& membrane = draft.model.membranes[m];
+    draft.structure.membranes[m].pre_stretch = membrane.pre_stretch;
+    draft.structure.membranes[m].bending = membrane.bending;
+    if (Status s = add_triangles(draft, m); !s) return s;
+    if (Status s = add_hinges(draft, m); !s) return s;
+  }
+  return {};
+}
+
+}  // namespace lissom
