@@ -51,6 +51,12 @@ inline Pack sqrt(const Pack& x) {
   return r;
 }
 
+inline Pack atan2(const Pack& y, const Pack& x) {
+  Pack r;
+  for (int i = 0; i < Pack::kLanes; ++i) r.set(i, std::atan2(y[i], x[i]));
+  return r;
+}
+
 }  // namespace lissom
 
 namespace Eigen {
