@@ -40,13 +40,22 @@ struct MembraneStretch {
   struct Stencil {
     std::array<int, kDofs> dofs;
     std::array<double, kRest> rest;
+    Vec2 pre_stretch = Vec2::Ones();  ///< by which the rest corners were divided, where it grows with the load
   };
-  struct Frozen {};
-  Frozen frozen(const State&, const Stencil&) const { return {}; }
+  /// Factors of the rest corners along the axes: 1 unless the pre-stretch grows with the load.
+  struct Frozen {
+    Vec2 corner;
+  };
+  Frozen frozen(const State& state, const Stencil& s) const {
+    if (scaling == Scaling::kConstant) return {Vec2::Ones()};
+    const Vec2 now = Vec2::Ones() + state.load_factor * (s.pre_stretch - Vec2::Ones());
+    return {s.pre_stretch.cwiseQuotient(now)};
+  }
 
   template <class T>
-  static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen&) {
-    const T a1 = rest[2] - rest[0], a2 = rest[3] - rest[1], b1 = rest[4] - rest[0], b2 = rest[5] - rest[1];
+  static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen& f) {
+    const T a1 = (rest[2] - rest[0]) * f.corner[0], a2 = (rest[3] - rest[1]) * f.corner[1];
+    const T b1 = (rest[4] - rest[0]) * f.corner[0], b2 = (rest[5] - rest[1]) * f.corner[1];
     const T twice_area = a1 * b2 - a2 * b1;
     T f11 = T(0), f22 = T(0), f12 = T(0);
     for (int i = 0; i < 3; ++i) {
@@ -73,7 +82,8 @@ struct MembraneStretch {
   template <class T>
   void gather(const State& state, const Stencil& s, int lane, Local<T>& local) const {
     for (int i = 0; i < kDofs; ++i) set_lane(local.x[i], lane, state.q[s.dofs[i]]);
-    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, s.rest[i]);
+    const Frozen f = frozen(state, s);
+    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, i < 6 ? s.rest[i] * f.corner[i % 2] : s.rest[i]);
   }
 
   template <class T>
@@ -86,6 +96,7 @@ struct MembraneStretch {
   static void derivatives(const Local<T>& a, T* gradient, T* hessian);
 
   std::vector<Stencil> stencils;
+  Scaling scaling = Scaling::kConstant;
 
  private:
   /// What value and derivatives share. Shape functions 2 and 3 have the gradients (n21, n22), (n31, n32) by the material
