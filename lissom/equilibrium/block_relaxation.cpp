@@ -14,12 +14,15 @@ constexpr double kEnergyNoise = 1e-13;
 
 }  // namespace
 
-BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part) : workspace_(workspace) {
+BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part,
+                           const std::vector<bool>& can_move)
+    : workspace_(workspace) {
   const DofLayout& layout = workspace.system().layout;
   const Potential& whole = workspace.problem().potential;
   kept_.assign(layout.size(), -1);
   for (int i = 0; i < layout.size(); ++i) {
-    if (takes_part[i] && workspace.problem().supports.kept()[i] >= 0) {
+    if (can_move[i]) ++movable_;
+    if (takes_part[i] && can_move[i]) {
       kept_[i] = unknowns_++;
       if (layout.dof_class(i) == DofClass::kPosition) ++positions_;
     }
@@ -46,14 +49,14 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
 bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance) {
   if (!useful()) return false;
   bool changed = false;
-  const std::span<const int> kept = workspace_.problem().supports.kept();
+  const DofLayout& layout = workspace_.system().layout;
   for (int k = 0; k < steps; ++k) {
     potential_->hessian(state, gradient_, hessian_, buffers_, workspace_.context().threads);
     double force = 0, moment = 0;
     for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
       if (kept_[i] < 0) continue;
       g_[kept_[i]] = gradient_[i];
-      metric_[kept_[i]] = workspace_.metric()[kept[i]];
+      metric_[kept_[i]] = workspace_.class_metric(layout.dof_class(i));
       double& largest = kept_[i] < positions_ ? force : moment;
       largest = std::max(largest, std::abs(gradient_[i]));
     }

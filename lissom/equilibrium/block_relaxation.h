@@ -13,11 +13,11 @@ namespace lissom {
 
 class BlockRelaxer {
  public:
-  /// `takes_part[i]`: unknown i (local axes) is relaxed unless a support holds it.
-  BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part);
+  /// `takes_part[i]`: unknown i (local axes) is relaxed if it `can_move` too.
+  BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part, const std::vector<bool>& can_move);
 
   /// Whether there is anything to relax, and anything that is held.
-  bool useful() const { return unknowns_ > 0 && unknowns_ < workspace_.problem().supports.unknowns(); }
+  bool useful() const { return unknowns_ > 0 && unknowns_ < movable_; }
 
   /// At most `steps` Newton steps with H + shift * metric, none of which raises the energy. Stops early where the small
   /// matrix is not positive definite or the residual is below `tolerance` (N). False when nothing was changed.
@@ -29,6 +29,7 @@ class BlockRelaxer {
   NewtonWorkspace& workspace_;
   std::vector<int> kept_;
   int unknowns_ = 0, positions_ = 0;  // of the part; the positions come first
+  int movable_ = 0;                   // of the whole
   std::optional<Potential> potential_;
   std::optional<LinearSolver> factor_;
   AssemblyBuffers buffers_;

@@ -15,7 +15,8 @@ constexpr double kDone = 1e-7;  // of an edge length
 
 }  // namespace
 
-LengthFit::LengthFit(const StaticProblem& problem) : problem_(problem), follow_(problem) {
+LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move)
+    : problem_(problem), follow_(problem, can_move) {
   const System& system = *problem.system;
   const int positions = 3 * system.layout.nodes();
   std::vector<int> groups, offsets{0};
@@ -46,7 +47,7 @@ LengthFit::LengthFit(const StaticProblem& problem) : problem_(problem), follow_(
   kept_.assign(positions, -1);
   int unknowns = 0;
   for (int i = 0; i < positions; ++i) {
-    if (on_rod[i / 3] && problem.supports.kept()[i] >= 0) kept_[i] = unknowns++;
+    if (on_rod[i / 3] && can_move[i]) kept_[i] = unknowns++;
   }
   b_.resize(unknowns);
   metric_.assign(unknowns, 1 / system.rest.mean_edge_length);

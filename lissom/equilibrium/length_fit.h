@@ -13,7 +13,8 @@ namespace lissom {
 
 class LengthFit {
  public:
-  explicit LengthFit(const StaticProblem& problem);
+  /// `can_move`: per unknown, see RigidDrift.
+  LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move);
 
   /// Corrects `increment`, the straight trial a d or one with a second-order part, of the step d from `state` (global
   /// axes). False when the trial cannot be mended.

@@ -20,7 +20,8 @@ double half_cotangent(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-MembraneFollow::MembraneFollow(const StaticProblem& problem) : problem_(problem) {
+MembraneFollow::MembraneFollow(const StaticProblem& problem, const std::vector<bool>& can_move)
+    : problem_(problem), can_move_(can_move) {
   const Structure& structure = problem.system->structure;
   std::vector<bool> on_rod(structure.nodes.size(), false), on_membrane(structure.nodes.size(), false);
   for (const StructureEdge& edge : structure.edges) on_rod[edge.node0] = on_rod[edge.node1] = true;
@@ -70,7 +71,6 @@ void MembraneFollow::spread(VecX& displacement) {
     pull(side.b, side.a);
   }
   solver_->solve_many(b_, b_);
-  const Supports& supports = problem_.supports;
   for (size_t i = 0; i < number_.size(); ++i) {
     if (number_[i] >= 0) displacement.segment<3>(3 * static_cast<int>(i)) = b_.row(number_[i]).transpose();
   }
@@ -78,7 +78,7 @@ void MembraneFollow::spread(VecX& displacement) {
   for (size_t i = 0; i < number_.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       double& u = displacement[3 * static_cast<int>(i) + k];
-      if (supports.kept()[3 * i + k] < 0) u = 0;
+      if (!can_move_[3 * i + k]) u = 0;
     }
   }
   problem_.potential.to_global(displacement);

@@ -12,10 +12,11 @@ namespace lissom {
 
 class MembraneFollow {
  public:
-  explicit MembraneFollow(const StaticProblem& problem);
+  /// `can_move`: per unknown, see RigidDrift.
+  MembraneFollow(const StaticProblem& problem, const std::vector<bool>& can_move);
 
-  /// Overwrites the positions of all nodes off the rods in `displacement` (global axes, all unknowns); what supports hold
-  /// stays 0.
+  /// Overwrites the positions of all nodes off the rods in `displacement` (global axes, all unknowns); what cannot
+  /// move stays 0.
   void spread(VecX& displacement);
 
  private:
@@ -25,6 +26,7 @@ class MembraneFollow {
   };
 
   const StaticProblem& problem_;
+  std::vector<bool> can_move_;
   std::vector<int> number_;  // per node: its number among the following ones, or -1
   int following_ = 0;
   std::vector<Side> sides_;

@@ -16,15 +16,18 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr double kEnergyNoise = 1e-13;  // of the energy: differences below it are rounding
 constexpr double kSmallestStep = 1e-7;
+constexpr int kFirstRelaxation = 8;
 constexpr double kRunawaySizes = 1e4;
 
 class Minimization {
  public:
   Minimization(NewtonWorkspace& workspace, State& state, const SolveOptions& options)
       : workspace_(workspace), options_(options), path_(workspace, options.path), shift_(options.shift), state_(state) {
-    if (options.frames == Relaxation::kOn) frames_.emplace(workspace, frame_unknowns(workspace.system()));
+    if (options.frames == Relaxation::kOn) {
+      frames_.emplace(workspace, frame_unknowns(workspace.system()), path_.drift().can_move());
+    }
     if (options.rods == Relaxation::kOn && !workspace.system().structure.triangles.empty()) {
-      rods_.emplace(workspace, rod_unknowns(workspace.system()));
+      rods_.emplace(workspace, rod_unknowns(workspace.system()), path_.drift().can_move());
     }
   }
 
@@ -100,6 +103,10 @@ void Minimization::expand(double slope, double turn, double roll) {
 Descent Minimization::run(double tolerance, int max_iterations, std::vector<IterationRecord>& records) {
   Descent result;
   tolerance_ = tolerance;
+  if (rods_) {
+    workspace_.assemble(state_);  // for the metric
+    rods_->relax(state_, kFirstRelaxation, 0, tolerance_);
+  }
   energy_ = workspace_.energy(state_);
   if (!std::isfinite(energy_)) return result;
   int without_progress = 0;
@@ -136,6 +143,7 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
     workspace_.multiply_free(free_, image_);
     const double curvature = free_.dot(image_);
     workspace_.to_increment(free_, step_);
+    path_.drift().remove(state_, step_);
     const double reach = step_reach(workspace_.system(), state_, step_, options_);
     path_.begin(state_, step_, reach);
     const bool moved = line_search(slope, curvature, reach);

@@ -27,10 +27,12 @@ void NewtonWorkspace::assemble(const State& state) {
   problem_.potential.hessian(state, gradient_, hessian_, buffers_, context_.threads);
   problem_.supports.restrict(gradient_, free_gradient_);
   int first = 0;
-  for (const int size : class_size_) {
+  for (size_t c = 0; c < class_size_.size(); ++c) {
+    const int size = class_size_[c];
     double sum = 0;
     for (int i = first; i < first + size; ++i) sum += std::abs(hessian_[diagonal_[i]]);
-    metric_.segment(first, size).setConstant(sum > 0 ? sum / size : 1);
+    class_mean_[c] = sum > 0 ? sum / size : 1;
+    metric_.segment(first, size).setConstant(class_mean_[c]);
     first += size;
   }
 }

@@ -32,6 +32,8 @@ class NewtonWorkspace {
   const std::vector<double>& hessian() const { return hessian_; }
   /// Diagonal with the mean |H_ii| of each class of unknowns: the metric of shifts, per free unknown.
   const VecX& metric() const { return metric_; }
+  /// Its entry for one class.
+  double class_metric(DofClass c) const { return class_mean_[static_cast<size_t>(c)]; }
 
   /// Factorises the last Hessian + shift * metric.
   FactorReport factorize(double shift);
@@ -57,6 +59,7 @@ class NewtonWorkspace {
   VecX gradient_, free_gradient_, metric_, local_x_, local_y_;
   std::vector<int> diagonal_;        // per free unknown: its place among the values
   std::array<int, 3> class_size_{};  // free positions, rolls, joint rotations
+  std::array<double, 3> class_mean_{1, 1, 1};
   int factorizations_ = 0;
 };
 

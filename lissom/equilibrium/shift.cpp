@@ -8,6 +8,8 @@ namespace lissom {
 namespace {
 
 constexpr double kSmallest = 1e-9;
+constexpr double kFirst = 1e-7;
+constexpr double kFall = 0.01;
 constexpr int kSubspace = 2;
 
 }  // namespace
@@ -21,7 +23,7 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
       return true;
     }
     // What was needed last is a better guess than the smallest of all.
-    double proposal = std::max({4 * shift_, 0.1 * worked_, 1e-7});
+    double proposal = shift_ > 0 ? 8 * shift_ : std::max(0.1 * worked_, kFirst);
     if (rule_ == ShiftRule::kEigenvalue && report.complete && report.negative_pivots > 0 && attempt < 3) {
       // The factor exists though indefinite: iterating with it finds the eigenvalues next to -shift, the negative ones
       // among them; the lowest of these tells how much is missing.
@@ -43,7 +45,9 @@ void ShiftPolicy::learn(NewtonWorkspace& workspace) {
     return;
   }
   const double lowest = estimate_lowest(workspace, 4);
-  next_ = lowest < 0 ? -1.3 * lowest : 0;
+  // With a shift far above what is needed the estimate cannot tell small eigenvalues apart: do not fall to 0 at once.
+  next_ = std::max(lowest < 0 ? -1.3 * lowest : 0, kFall * shift_);
+  if (next_ < kSmallest) next_ = 0;
 }
 
 double ShiftPolicy::estimate_lowest(NewtonWorkspace& workspace, int steps) {

@@ -6,6 +6,7 @@
 
 #include "lissom/equilibrium/minimizer.h"
 #include "lissom/equilibrium/report.h"
+#include "lissom/equilibrium/rigid_drift.h"
 #include "lissom/equilibrium/root_finder.h"
 #include "lissom/equilibrium/stability.h"
 #include "lissom/equilibrium/start_smoothing.h"
@@ -70,6 +71,7 @@ Equilibrium solve(const StaticProblem& problem, const State& start, double load_
   result.tolerance = std::max(options.tolerance * problem.scales.force, 2 * problem.scales.rounding);
   const auto finish = [&](Verdict verdict) {
     result.verdict = verdict;
+    if (!problem.system->structure.triangles.empty()) lay_down(problem, result.state);
     result.factorizations = workspace.factorizations();
     describe(problem, workspace, result);
     return std::move(result);

@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "lissom/equilibrium/edge_laplacian.h"
+#include "lissom/equilibrium/length_fit.h"
+#include "lissom/equilibrium/rigid_drift.h"
 #include "lissom/equilibrium/static_problem.h"
 
 namespace lissom {
@@ -90,12 +92,20 @@ State start_state(const StaticProblem& problem, const Pose& pose) {
   if (height.size() == 0) height = sine_heights(system);
   VecX dq = VecX::Zero(system.layout.size());
   for (int i = 0; i < system.layout.nodes(); ++i) dq.segment<3>(3 * i) = seed.amplitude * height[i] * direction;
-  // Held unknowns stay where they are.
+  // What a support holds stays where it is.
+  const RigidDrift drift(problem);
   problem.potential.to_local(dq);
   for (int i = 0; i < dq.size(); ++i) {
-    if (problem.supports.kept()[i] < 0) dq[i] = 0;
+    if (!drift.can_move()[i]) dq[i] = 0;
   }
   problem.potential.to_global(dq);
+  if (!system.structure.triangles.empty()) {
+    // Rods keep their lengths: sideways displacement alone would stretch them.
+    LengthFit fit(problem, drift.can_move());
+    const VecX still = VecX::Zero(dq.size());
+    VecX mended = dq;
+    if (fit.mend(state, 1, still, mended)) dq = mended;
+  }
   State seeded;
   return advance(system, state, dq, seeded) ? seeded : state;
 }

@@ -8,13 +8,14 @@
 
 namespace lissom {
 
-StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path) : workspace_(workspace), path_(path) {
+StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path)
+    : workspace_(workspace), path_(path), drift_(workspace.problem()) {
   if (path == StepPath::kRotating || path == StepPath::kSecondOrderRotating) {
     if (workspace.system().structure.triangles.empty()) {
       fit_.emplace(workspace.problem());
       if (!fit_->factorize(0)) fit_.reset();
     } else {
-      length_fit_.emplace(workspace.problem());
+      length_fit_.emplace(workspace.problem(), drift_.can_move());
     }
   }
 }
@@ -47,6 +48,7 @@ void StepPathPolicy::second_order(double reach) {
   workspace_.problem().supports.restrict(forward_, free_);
   workspace_.factor().solve(free_, free_);
   workspace_.to_increment(free_, p_);
+  drift_.remove(*state_, p_);
   if (!p_.allFinite()) return;
   // A correction, never more than the step itself.
   const double turn_d = largest_turn(system, *state_, d_), turn_p = reach * largest_turn(system, *state_, p_);

@@ -8,12 +8,16 @@
 #include "lissom/equilibrium/length_fit.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/options.h"
+#include "lissom/equilibrium/rigid_drift.h"
 
 namespace lissom {
 
 class StepPathPolicy {
  public:
   StepPathPolicy(NewtonWorkspace& workspace, StepPath path);
+
+  /// Takes the rigid motions of free parts out of a step.
+  const RigidDrift& drift() const { return drift_; }
 
   /// Prepares the path of step d (global axes) from `state`; the factor of the workspace is the one that gave d.
   /// `reach` is the largest fraction that will be tried.
@@ -28,6 +32,7 @@ class StepPathPolicy {
 
   NewtonWorkspace& workspace_;
   StepPath path_;
+  RigidDrift drift_;
   const State* state_ = nullptr;
   VecX d_, p_, increment_;
   bool has_p_ = false;

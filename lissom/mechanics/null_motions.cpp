@@ -88,6 +88,19 @@ RigidMotions rigid_motions_of(const Structure& structure, int part) {
   return rigid;
 }
 
+/// A part by something in it that the user has named.
+std::string part_name(const Structure& structure, int node) {
+  for (const StructureEdge& edge : structure.edges) {
+    if (edge.node0 == node || edge.node1 == node) return "the part of rod " + structure.rods[edge.rod].name;
+  }
+  for (const StructureMembrane& membrane : structure.membranes) {
+    for (const int own : membrane.nodes) {
+      if (own == node) return "the part of membrane " + membrane.name;
+    }
+  }
+  return "the part of node " + std::to_string(node);
+}
+
 using Mat6X = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
 class PartSupport {
@@ -172,7 +185,7 @@ bool has_soft_pin(const Model& model, const System& system, const Pose& pose, in
 
 Status remove_null_motions(const Model& model, const System& system, const Pose& pose, const std::string& where,
                            const std::vector<LocalAxes>& local_axes, NullMotions choice, std::vector<bool>& held,
-                           std::vector<std::string>& removed) {
+                           std::vector<std::string>& removed, std::vector<int>& free_parts) {
   if (choice == NullMotions::kKeep) return {};
   remove_spins(system, held, removed);
   if (choice == NullMotions::kKeepRigid) return {};
@@ -193,7 +206,7 @@ Status remove_null_motions(const Model& model, const System& system, const Pose&
 
     const LoadWork work = load_work(system, rigid, load.value());
     const Eigen::VectorXd first = unheld.transpose() * work.first;
-    const std::string name = "the part of node " + std::to_string(rigid.nodes.front());
+    const std::string name = part_name(system.structure, rigid.nodes.front());
     const double tolerance = 1e-9 * std::max(work.size, 1e-300);
     // Translations that the loads drive have no equilibrium at all.
     Eigen::Matrix<double, 6, Eigen::Dynamic> rotation_part = unheld;
@@ -234,6 +247,7 @@ Status remove_null_motions(const Model& model, const System& system, const Pose&
     }
     const Eigen::MatrixXd wide = displacement.transpose();
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(wide);
+    if (neutral_count == 6) free_parts.push_back(part);
     for (int m = 0; m < std::min<int>(neutral_count, static_cast<int>(qr.rank())); ++m) {
       const int column = qr.colsPermutation().indices()[m];
       held[3 * rigid.nodes[column / 3] + column % 3] = true;

@@ -23,9 +23,9 @@ enum class NullMotions {
 ///  - rolls without any spring (a single edge between ball joints),
 ///  - rigid motions of a connected part that no support prevents and on which the loads do no work.
 /// An unsupported part that its loads would drive away is an error unless rigid motions are kept. `removed` gets one
-/// sentence per motion.
+/// sentence per motion, `free_parts` the parts (Structure::component) that lost all six rigid motions.
 Status remove_null_motions(const Model& model, const System& system, const Pose& pose, const std::string& where,
                            const std::vector<LocalAxes>& local_axes, NullMotions choice, std::vector<bool>& held,
-                           std::vector<std::string>& removed);
+                           std::vector<std::string>& removed, std::vector<int>& free_parts);
 
 }  // namespace lissom

@@ -39,6 +39,8 @@ class Supports {
 
   /// One sentence per motion that was taken out because nothing resists it.
   const std::vector<std::string>& removed_motions() const { return removed_; }
+  /// Parts (Structure::component) that nothing holds: all their six rigid motions were taken out.
+  const std::vector<int>& free_parts() const { return free_parts_; }
   /// Whether anything moves with the load factor.
   bool moves() const;
 
@@ -70,6 +72,7 @@ class Supports {
   std::vector<HeldRotation> rotations_;
   std::vector<HeldRoll> rolls_;
   std::vector<std::string> removed_;
+  std::vector<int> free_parts_;
 };
 
 }  // namespace lissom

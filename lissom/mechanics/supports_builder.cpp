@@ -24,7 +24,7 @@ Result<Supports> SupportsBuilder::build(NullMotions null_motions) {
   std::vector<bool> removed = supports_.held_;
   if (!pose_.frozen) {
     const Status status = remove_null_motions(model_, system_, pose_, where_, supports_.local_axes_, null_motions,
-                                              removed, supports_.removed_);
+                                              removed, supports_.removed_, supports_.free_parts_);
     if (!status) return status.error();
   }
   supports_.kept_.assign(removed.size(), -1);
