@@ -150,6 +150,10 @@ void describe(Fields& fields, DocumentEntry& document) {
              "Materials besides the library, by name.")
       .field("rods", m.rods, ListOf<RodOf>{}, kOptional, "Rods.")
       .field("networks", document.networks, ListOf<NetworkOf>{}, kOptional, "Line networks, expanded into rods.")
+      .field("membrane_materials", m.membrane_materials,
+             TableOf<MembraneMaterialOf, MembraneMaterial>{{}, &MembraneMaterial::name}, kOptional,
+             "Fabrics besides the library, by name.")
+      .field("membranes", m.membranes, ListOf<MembraneOf>{}, kOptional, "Pieces of fabric.")
       .field("joints", document.joints, ObjectOf<JointsEntry>{"joint settings"}, kOptional,
              "How rods that meet hold each other.")
       .field("sets", m.sets, TableOf<NamedSetOf, NamedSet>{{}, &NamedSet::name}, kOptional, "Named sets of nodes.")

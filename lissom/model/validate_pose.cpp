@@ -124,8 +124,13 @@ void check_loads(Checker& check, const Pose& pose, const std::string& where) {
     const Material* material = check.model.material(rod.material);
     heavy = heavy || (material && material->density > 0);
   }
+  for (const Membrane& membrane : check.model.membranes) {
+    const MembraneMaterial* fabric = check.model.membrane_material(membrane.material);
+    heavy = heavy || (fabric && fabric->area_density > 0);
+  }
+  heavy = heavy || check.model.plan.has_value();
   if (!heavy) {
-    check.fail(ErrorCode::kConflict, where + "/gravity", "gravity acts, but no material of the rods has a density",
+    check.fail(ErrorCode::kConflict, where + "/gravity", "gravity acts, but no material has a density",
                "add \"density\" to a material, or remove \"gravity\"");
   }
 }
