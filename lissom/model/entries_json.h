@@ -98,6 +98,13 @@ struct MembraneOf {
   JsonValue schema(Schema& schema) const;
 };
 
+/// A list of pulls.
+struct FabricTestOf {
+  void read(Reader& reader, const JsonValue& json, FabricTest& test) const;
+  JsonValue write(const FabricTest& test) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 /// How a document names nodes.
 struct SelectorOf {
   void read(Reader& reader, const JsonValue& json, Selector& selector) const;

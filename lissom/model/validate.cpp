@@ -80,12 +80,14 @@ Checker::Checker(const Model& described) : model(described) {
   for (const Membrane& membrane : model.membranes) membranes.push_back(membrane.name);
   for (const MembraneMaterial& fabric : model.membrane_materials) fabrics.push_back(fabric.name);
   for (const MembraneMaterial& fabric : membrane_library()) fabrics.push_back(fabric.name);
+  for (const FabricTest& test : model.fabric_tests) fabric_tests.push_back(test.name);
   rod_names_.insert(rods.begin(), rods.end());
   set_names_.insert(sets.begin(), sets.end());
   pose_names_.insert(poses.begin(), poses.end());
   material_names_.insert(materials.begin(), materials.end());
   membrane_names_.insert(membranes.begin(), membranes.end());
   fabric_names_.insert(fabrics.begin(), fabrics.end());
+  fabric_test_names_.insert(fabric_tests.begin(), fabric_tests.end());
 }
 
 void Checker::fail(ErrorCode code, std::string where, std::string message, std::string hint) {
@@ -138,6 +140,7 @@ const std::unordered_set<std::string>& Checker::lookup(const std::vector<std::st
   if (&names == &sets) return set_names_;
   if (&names == &membranes) return membrane_names_;
   if (&names == &fabrics) return fabric_names_;
+  if (&names == &fabric_tests) return fabric_test_names_;
   return &names == &poses ? pose_names_ : material_names_;
 }
 
@@ -176,6 +179,9 @@ void Checker::selector(const Selector& selector, const std::string& where) {
              "give the smaller x, y and z first");
       }
       return;
+    case Selector::Kind::kMembrane:
+    case Selector::Kind::kRim:
+      return known(selector.name, membranes, "membrane", where + "/membrane");
     case Selector::Kind::kUnion: {
       if (selector.parts.empty()) fail(ErrorCode::kType, where, "this union of selectors is empty", "name some nodes");
       if (depth(selector) > kDeepestUnion) fail(ErrorCode::kUnsupported, where, "the unions are nested too deeply");
@@ -211,11 +217,16 @@ Status Model::validate() const {
   for (std::size_t i = 0; i < membrane_materials.size() && !check.failed(); ++i) {
     check_fabric(check, membrane_materials[i], "/membrane_materials/" + pointer_step(own_fabrics[i]));
   }
-  if (rods.empty() && membranes.empty() && !plan) {
+  if (rods.empty() && membranes.empty() && !plan && fabric_tests.empty()) {
     check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods and no membranes",
                "add some to \"rods\", \"networks\" or \"membranes\"");
   }
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));
+  check.distinct(check.fabric_tests, "fabric test",
+                 [&check](std::size_t i) { return "/fabric_tests/" + pointer_step(check.fabric_tests[i]); });
+  for (std::size_t i = 0; i < fabric_tests.size() && !check.failed(); ++i) {
+    check_fabric_test(check, fabric_tests[i], "/fabric_tests/" + pointer_step(fabric_tests[i].name));
+  }
   for (std::size_t i = 0; i < membranes.size() && !check.failed(); ++i) {
     check_membrane(check, membranes[i], at("", "membranes", i));
   }

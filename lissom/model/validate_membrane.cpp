@@ -127,6 +127,22 @@ void check_fabric(Checker& check, const MembraneMaterial& fabric, const std::str
   check.finite(fabric.area_density, where + "/area_density");
 }
 
+void check_fabric_test(Checker& check, const FabricTest& test, const std::string& where) {
+  if (test.pulls.empty()) check.fail(ErrorCode::kType, where, "this test has no pull");
+  for (std::size_t i = 0; i < test.pulls.size() && !check.failed(); ++i) {
+    const StripPull& pull = test.pulls[i];
+    const std::string here = where + "/" + std::to_string(i);
+    check.finite(pull.angle, here + "/angle");
+    check.positive(pull.force_per_width, here + "/force_per_width", "force");
+    check.not_negative(pull.across, here + "/across", "stretch");
+    check.finite(pull.stretch, here + "/stretch");
+    if (!(pull.stretch > 1)) {
+      check.fail(ErrorCode::kRange, here + "/stretch", "a strip that is pulled becomes longer: its stretch is above 1",
+                 "give the present over the rest length");
+    }
+  }
+}
+
 void check_membrane(Checker& check, const Membrane& membrane, const std::string& where) {
   std::visit(ShapeCheck{check, where}, membrane.shape);
   check.known(membrane.material, check.fabrics, "fabric", where + "/material");
