@@ -10,6 +10,7 @@
 #include "lissom/mechanics/membrane_stretch.h"
 #include "lissom/mechanics/rod_bend_twist.h"
 #include "lissom/mechanics/rod_stretch.h"
+#include "lissom/model/membrane_rim.h"
 
 namespace lissom {
 
@@ -184,6 +185,44 @@ Status line_loads(const Source& source, Terms& terms) {
   return {};
 }
 
+Status edge_loads(const Source& source, Terms& terms) {
+  const Structure& structure = source.system.structure;
+  NodeLineLoad energy;
+  for (size_t l = 0; l < source.pose->edge_loads.size(); ++l) {
+    const EdgeLoad& load = source.pose->edge_loads[l];
+    const Result<std::vector<int>> nodes = source.nodes(load.at, source.place("edge_loads", l));
+    if (!nodes) return nodes.error();
+    std::vector<bool> selected(structure.nodes.size(), false);
+    for (const int node : nodes.value()) selected[node] = true;
+    std::vector<double> length(structure.nodes.size(), 0);
+    for (size_t m = 0; m < structure.membranes.size(); ++m) {
+      for (const RimLoop& loop : rim_loops(structure, static_cast<int>(m))) {
+        for (const RimEdge& edge : loop) {
+          if (!selected[edge.node0] || !selected[edge.node1]) continue;
+          const std::array<Vec2, 3>& corner = source.system.rest.triangles[edge.triangle].corner;
+          const double half = 0.5 * (corner[(edge.corner + 1) % 3] - corner[edge.corner]).norm();
+          length[edge.node0] += half;
+          length[edge.node1] += half;
+        }
+      }
+    }
+    bool loaded = false;
+    for (int i = 0; i < static_cast<int>(length.size()); ++i) {
+      if (length[i] == 0) continue;
+      loaded = true;
+      energy.stencils.push_back(
+          {source.node_dofs(i), {length[i]}, source.drawn(i), load.force_per_length, load.scaling});
+    }
+    if (!loaded) {
+      return Error{ErrorCode::kGeometry, source.place("edge_loads", l) + "/at",
+                   "no edge at the rim of a membrane has both its ends in this selection",
+                   "select at least two neighbouring vertices of a rim"};
+    }
+  }
+  add(terms, std::move(energy));
+  return {};
+}
+
 Status forces(const Source& source, Terms& terms) {
   NodeForce energy;
   for (size_t i = 0; i < source.pose->forces.size(); ++i) {
@@ -242,7 +281,7 @@ using Builder = Status (*)(const Source&, Terms&);
 /// One line per energy.
 constexpr Builder kElastic[] = {stretch,          bend_twist,   explicit_joints, corotational_joints,
                                 membrane_stretch, membrane_bend};
-constexpr Builder kOfPose[] = {gravity, line_loads, forces, moments, soft_pins};
+constexpr Builder kOfPose[] = {gravity, line_loads, edge_loads, forces, moments, soft_pins};
 
 }  // namespace
 

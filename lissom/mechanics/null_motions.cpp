@@ -49,6 +49,7 @@ Result<VecX> full_loads(const Model& model, const System& system, const Pose& po
   loads.forces = pose.forces;
   loads.moments = pose.moments;
   loads.line_loads = pose.line_loads;
+  loads.edge_loads = pose.edge_loads;
   loads.gravity = pose.gravity;
   loads.soft_pins = pose.soft_pins;
   auto all = make_terms(model, system, &loads, where);

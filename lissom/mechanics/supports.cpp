@@ -42,7 +42,8 @@ void Supports::prescribed_increment(const System& system, const State& state, do
     const int at = system.layout.position(held.node);
     const Mat3 rotation = rotation_from_vector(load_factor * held.turn);
     const Vec3 target = system.structure.nodes[held.node] + load_factor * held.move + rotation * held.arm - held.arm;
-    dq.segment<3>(at) = masked(at, target - state.q.segment<3>(at));
+    const Vec3 wanted = masked(at, target - state.q.segment<3>(at)), others = dq.segment<3>(at);
+    dq.segment<3>(at) += held.along * (wanted - others);
   }
   for (const HeldRotation& held : rotations_) {
     const int at = system.layout.rotation(held.joint);

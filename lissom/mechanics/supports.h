@@ -49,8 +49,9 @@ class Supports {
   struct HeldPosition {
     int node;
     Vec3 move = Vec3::Zero();
-    Vec3 arm = Vec3::Zero();   ///< m, from the pivot at rest, when turned
-    Vec3 turn = Vec3::Zero();  ///< rad at load factor 1
+    Vec3 arm = Vec3::Zero();        ///< m, from the pivot at rest, when turned
+    Vec3 turn = Vec3::Zero();       ///< rad at load factor 1
+    Mat3 along = Mat3::Identity();  ///< projector onto the directions that this support holds
   };
   struct HeldRotation {
     int joint;

@@ -5,6 +5,17 @@
 
 namespace lissom {
 
+namespace {
+
+/// Projector onto orthogonal directions.
+Mat3 span_of(const std::vector<Vec3>& directions) {
+  Mat3 projector = Mat3::Zero();
+  for (const Vec3& d : directions) projector += d * d.transpose() / d.squaredNorm();
+  return projector;
+}
+
+}  // namespace
+
 SupportsBuilder::SupportsBuilder(const Model& model, const System& system, const Pose& pose, std::string where)
     : model_(model), system_(system), pose_(pose), where_(std::move(where)) {
   supports_.held_.assign(system.layout.size(), false);
@@ -40,6 +51,7 @@ Status SupportsBuilder::apply(const Support& support, const std::vector<int>& no
   for (const int node : nodes) {
     const Vec3 inwards = centre - system_.structure.nodes[node];
     Vec3 move = support.move + support.shrink * inwards;
+    move += support.deform * system_.structure.nodes[node] - system_.structure.nodes[node];
     if (support.move_inwards) {
       if (inwards.norm() > 0) move += *support.move_inwards * inwards.normalized();
     }
@@ -86,6 +98,7 @@ Status SupportsBuilder::hold_free(const Support& support, int node, const Vec3& 
     Status status = hold_directions(at, support.directions, where);
     if (!status) return status;
     supports_.positions_.push_back({node, move});
+    supports_.positions_.back().along = span_of(support.directions);
   }
   if (!support.rotations.empty()) {
     const Result<int> joint = frame_at(node, where);
@@ -128,6 +141,7 @@ Status SupportsBuilder::hold_symmetry(const Support& support, int node, const st
   Status status = hold_directions(system_.layout.position(node), {normal}, where);
   if (!status) return status;
   supports_.positions_.push_back({node});
+  supports_.positions_.back().along = span_of({normal});
   const int joint = system_.joint_of_node[node];
   const int r = joint < 0 ? -1 : system_.layout.rotation(joint);
   if (r < 0) return {};

@@ -228,4 +228,32 @@ JsonValue PairOf::schema(Schema& schema) const {
       .set("maxItems", JsonValue::integer(2));
 }
 
+void OneOrPairOf::read(Reader& reader, const JsonValue& json, Vec2& value) const {
+  const NumberOf number{measure, limits};
+  if (!json.is(JsonValue::Kind::kArray)) {
+    number.read(reader, json, value[0]);
+    value[1] = value[0];
+    return;
+  }
+  if (json.items.size() != 2) {
+    return reader.fail(ErrorCode::kType,
+                       "expected one number or two, [along 1, along 2], got " + std::to_string(json.items.size()));
+  }
+  for (std::size_t i = 0; i < 2 && !reader.failed(); ++i) {
+    const Reader::Step step(reader, i);
+    number.read(reader, json.items[i], value[static_cast<Eigen::Index>(i)]);
+  }
+}
+
+JsonValue OneOrPairOf::write(const Vec2& value) const {
+  const NumberOf number{measure, limits};
+  if (value[0] == value[1]) return number.write(value[0]);
+  return JsonValue::array({number.write(value[0]), number.write(value[1])});
+}
+
+JsonValue OneOrPairOf::schema(Schema& schema) const {
+  const NumberOf number{measure, limits};
+  return any_of({number.schema(schema), ListOf<NumberOf>{number, 2, 2}.schema(schema)});
+}
+
 }  // namespace lissom

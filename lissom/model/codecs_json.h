@@ -79,6 +79,15 @@ struct PairOf {
   JsonValue schema(Schema& schema) const;
 };
 
+/// One number for both, or [a, b].
+struct OneOrPairOf {
+  Measure measure;
+  Limits limits = kAny;
+  void read(Reader& reader, const JsonValue& json, Vec2& value) const;
+  JsonValue write(const Vec2& value) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 /// One of a few words.
 template <class E>
 struct ChoiceOf {

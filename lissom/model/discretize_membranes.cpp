@@ -123,7 +123,7 @@ Status add_hinges(Draft& draft, size_t m) {
       if (other == half_edges.end() || other->second.first < t) continue;
       StructureHinge hinge{
           {a, b, node[(i + 2) % 3], other->second.second}, static_cast<int>(m), {t, other->second.first}, 0};
-      hinge.rest_angle = fold_angle(s, hinge);
+      if (draft.model.membranes[m].rest_folds == RestFolds::kAsDrawn) hinge.rest_angle = fold_angle(s, hinge);
       s.hinges.push_back(hinge);
     }
   }

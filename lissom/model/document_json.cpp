@@ -150,6 +150,12 @@ void describe(Fields& fields, DocumentEntry& document) {
              "Materials besides the library, by name.")
       .field("rods", m.rods, ListOf<RodOf>{}, kOptional, "Rods.")
       .field("networks", document.networks, ListOf<NetworkOf>{}, kOptional, "Line networks, expanded into rods.")
+      .field("membrane_materials", m.membrane_materials,
+             TableOf<MembraneMaterialOf, MembraneMaterial>{{}, &MembraneMaterial::name}, kOptional,
+             "Fabrics besides the library, by name.")
+      .field("membranes", m.membranes, ListOf<MembraneOf>{}, kOptional, "Pieces of fabric.")
+      .field("fabric_tests", m.fabric_tests, TableOf<FabricTestOf, FabricTest>{{}, &FabricTest::name}, kOptional,
+             "Stretch tests of strips of fabric, by name, to which `lissom fit-fabric` fits moduli.")
       .field("joints", document.joints, ObjectOf<JointsEntry>{"joint settings"}, kOptional,
              "How rods that meet hold each other.")
       .field("sets", m.sets, TableOf<NamedSetOf, NamedSet>{{}, &NamedSet::name}, kOptional, "Named sets of nodes.")

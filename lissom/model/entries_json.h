@@ -85,6 +85,26 @@ struct NetworkOf {
 /// A number that changes with anything in a document that describes these rods.
 std::uint64_t fingerprint(std::span<const Rod> rods);
 
+/// A fabric: its stiffness by width, or Young's modulus and thickness.
+struct MembraneMaterialOf {
+  void read(Reader& reader, const JsonValue& json, MembraneMaterial& material) const;
+  JsonValue write(const MembraneMaterial& material) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+struct MembraneOf {
+  void read(Reader& reader, const JsonValue& json, Membrane& membrane) const;
+  JsonValue write(const Membrane& membrane) const;
+  JsonValue schema(Schema& schema) const;
+};
+
+/// A list of pulls.
+struct FabricTestOf {
+  void read(Reader& reader, const JsonValue& json, FabricTest& test) const;
+  JsonValue write(const FabricTest& test) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 /// How a document names nodes.
 struct SelectorOf {
   void read(Reader& reader, const JsonValue& json, Selector& selector) const;

@@ -19,6 +19,8 @@ struct Expectation {
   std::optional<Selector> to;      ///< second place, for distances and differences
   std::optional<Vec3> axis;        ///< direction, unit
   std::string rod;                 ///< for rod quantities
+  std::string membrane;            ///< for quantities of one membrane
+  std::string fabric_test;         ///< for moduli fitted to it
   double fraction = -1;            ///< place along the rod, of its rest length
   int mode = -1;                   ///< index of a mode, 0 = lowest
   std::string mode_kind;           ///< "bending", "axial", "torsional": which modes are counted

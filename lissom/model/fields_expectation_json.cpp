@@ -130,6 +130,8 @@ void describe(Fields& fields, ExpectationEntry& entry) {
       .field("to", e.to, SelectorOf(), kOptional, "Second place, for distances and differences.")
       .field("axis", e.axis, DirectionOf(), kOptional, "Direction in which it is measured.")
       .field("rod", e.rod, TextOf(), kOptional, "Rod, for quantities of rods.")
+      .field("membrane", e.membrane, TextOf(), kOptional, "Membrane, for quantities of one membrane.")
+      .field("fabric_test", e.fabric_test, TextOf(), kOptional, "Test, for quantities that are fitted to one.")
       .field("fraction", entry.fraction, NumberOf{Measure::kRatio, between(0, 1)}, kOptional,
              "Place along the rod, as a fraction of its rest length.")
       .field("mode", entry.mode, IntegerOf{}, kOptional, "Number of a mode, 0 is the lowest.")

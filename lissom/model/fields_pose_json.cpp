@@ -92,6 +92,13 @@ void describe(Fields& fields, LineLoad& load) {
       .field("scaling", load.scaling, kScaling, kOptional, kScalingText);
 }
 
+void describe(Fields& fields, EdgeLoad& load) {
+  fields.field("at", load.at, SelectorOf(), kRequired, "Vertices; loaded are the rim edges between them.")
+      .field("force_per_length", load.force_per_length, VectorOf{Measure::kForcePerLength}, kRequired,
+             "Dead force per rest length.")
+      .field("scaling", load.scaling, kScaling, kOptional, kScalingText);
+}
+
 void describe(Fields& fields, LoadPath& path) {
   fields.field("from", path.from, NumberOf{}, kOptional, "First load factor.")
       .field("to", path.to, NumberOf{}, kOptional, "Last load factor.")
@@ -113,6 +120,12 @@ void describe(Fields& fields, Seed& seed) {
              "Largest height; 0 starts from the drawn shape itself.");
 }
 
+void describe(Fields& fields, FormFinding& form) {
+  fields.field("rounds", form.rounds, IntegerOf{2, 1'000'000}, kOptional, "Most times that the rest shape is renewed.")
+      .field("tolerance", form.tolerance, NumberOf{Measure::kRatio, kPositive}, kOptional,
+             "Largest movement of a node in a round that counts as none, over the size of the structure.");
+}
+
 void describe(Fields& fields, Pose& pose) {
   fields.field("name", pose.name, TextOf{false}, kRequired, "Name of the pose.")
       .field(
@@ -126,6 +139,8 @@ void describe(Fields& fields, Pose& pose) {
       .field("moments", pose.moments, ListOf<ObjectOf<PointMoment>>{{"moment"}}, kOptional, "Point moments.")
       .field("line_loads", pose.line_loads, ListOf<ObjectOf<LineLoad>>{{"line load"}}, kOptional,
              "Loads spread along rods.")
+      .field("edge_loads", pose.edge_loads, ListOf<ObjectOf<EdgeLoad>>{{"edge load"}}, kOptional,
+             "Loads spread along the rims of membranes.")
       .field("gravity", pose.gravity, GravityOf(), kOptional,
              "true (9.81 m/s^2 along -z), a magnitude, a vector, or an object; absent: none.")
       .field("pre_stretch", pose.stretch_scaling, kScaling, kOptional,
@@ -135,6 +150,8 @@ void describe(Fields& fields, Pose& pose) {
              "A shape to start from. When absent, flat rods on pre-stretched membranes start from a saddle of 5 % of "
              "their "
              "extent, everything else as drawn.")
+      .field("form_finding", pose.form_finding, ObjectOf<FormFinding>{"form finding"}, kOptional,
+             "Whether membranes take the shape found as their rest shape, again and again until nothing moves.")
       .field("frozen", pose.frozen, FlagOf(), kOptional, "Whether everything stays where it is drawn.");
 }
 

@@ -29,12 +29,17 @@ struct PlaceOf {
   static constexpr NumberOf kFraction{Measure::kRatio, between(0, 1)};
 };
 
+constexpr std::pair<std::string_view, Selector::Rim> kRims[] = {
+    {"all", Selector::Rim::kAll}, {"outer", Selector::Rim::kOuter}, {"inner", Selector::Rim::kInner}};
+
 /// The object form of a selector.
 struct SelectorEntry {
   std::optional<std::string> rod;
   std::optional<double> at, within;
   std::optional<Vec3> point;
   std::optional<std::vector<Vec3>> box;
+  std::optional<std::string> membrane;
+  std::optional<Selector::Rim> rim;
 };
 
 void describe(Fields& fields, SelectorEntry& entry) {
@@ -45,17 +50,21 @@ void describe(Fields& fields, SelectorEntry& entry) {
       .field("within", entry.within, NumberOf{Measure::kLength, kPositive}, kOptional,
              "How far it may be away; half a mean edge when absent.")
       .field("box", entry.box, ListOf<VectorOf>{point, 2, 2}, kOptional,
-             "All nodes between the low and the high corner.");
+             "All nodes between the low and the high corner.")
+      .field("membrane", entry.membrane, TextOf{false}, kOptional, "All vertices of this membrane.")
+      .field("rim", entry.rim, ChoiceOf<Selector::Rim>{kRims}, kOptional,
+             "Only those at its edge: at all of it, at the outer line, or at the edges of holes.");
 }
 
 constexpr ObjectOf<SelectorEntry> kSelector{"selector"};
 
 void selector_of(Reader& reader, const SelectorEntry& entry, Selector& selector) {
-  const int kinds = entry.rod.has_value() + entry.point.has_value() + entry.box.has_value();
+  const int kinds =
+      entry.rod.has_value() + entry.point.has_value() + entry.box.has_value() + entry.membrane.has_value();
   if (kinds != 1) {
     return reader.fail(kinds == 0 ? ErrorCode::kType : ErrorCode::kConflict,
                        kinds == 0 ? "the selector names nothing" : "the selector names more than one thing",
-                       "give one of \"rod\", \"point\" and \"box\"; a list of selectors is their union");
+                       "give one of \"rod\", \"membrane\", \"point\" and \"box\"; a list of selectors is their union");
   }
   if ((entry.at && !entry.rod) || (entry.within && !entry.point)) {
     const Reader::Step step(reader, entry.at && !entry.rod ? "at" : "within");
@@ -64,7 +73,16 @@ void selector_of(Reader& reader, const SelectorEntry& entry, Selector& selector)
                                               : "\"within\" belongs to a \"point\", which is missing",
                        "add it, or remove this key");
   }
-  if (entry.rod) {
+  if (entry.rim && !entry.membrane) {
+    const Reader::Step step(reader, "rim");
+    return reader.fail(ErrorCode::kConflict, "\"rim\" belongs to a \"membrane\", which is missing",
+                       "add it, or remove this key");
+  }
+  if (entry.membrane) {
+    selector.kind = entry.rim ? Selector::Kind::kRim : Selector::Kind::kMembrane;
+    selector.name = *entry.membrane;
+    selector.rim = entry.rim.value_or(Selector::Rim::kAll);
+  } else if (entry.rod) {
     selector.kind = Selector::Kind::kRod;
     selector.name = *entry.rod;
     selector.fraction = entry.at.value_or(-1);
@@ -119,6 +137,12 @@ JsonValue SelectorOf::write(const Selector& selector) const {
     case Selector::Kind::kPoint:
       entry.point = selector.point;
       if (selector.tolerance > 0) entry.within = selector.tolerance;
+      break;
+    case Selector::Kind::kRim:
+      entry.rim = selector.rim;
+      [[fallthrough]];
+    case Selector::Kind::kMembrane:
+      entry.membrane = selector.name;
       break;
     default:
       entry.box = {selector.low, selector.high};

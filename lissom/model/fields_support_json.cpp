@@ -108,6 +108,20 @@ void describe(Fields& fields, TurnEntry& turn) {
       .field("angle", turn.angle, NumberOf{Measure::kAngle}, kRequired, "Angle at load factor 1; any number of turns.");
 }
 
+/// [[a, b, c], ...], three rows.
+struct MatrixOf {
+  void read(Reader& reader, const JsonValue& json, Mat3& value) const {
+    std::vector<Vec3> rows;
+    ListOf<VectorOf>{{Measure::kRatio}, 3, 3}.read(reader, json, rows);
+    for (int i = 0; i < 3 && !reader.failed(); ++i) value.row(i) = rows[i];
+  }
+  JsonValue write(const Mat3& value) const {
+    const std::vector<Vec3> rows{value.row(0), value.row(1), value.row(2)};
+    return ListOf<VectorOf>{{Measure::kRatio}, 3, 3}.write(rows);
+  }
+  JsonValue schema(Schema& schema) const { return ListOf<VectorOf>{{Measure::kRatio}, 3, 3}.schema(schema); }
+};
+
 struct SupportEntry {
   Selector at;
   Hold hold;
@@ -115,6 +129,7 @@ struct SupportEntry {
   Vec3 move = Vec3::Zero();
   std::optional<double> move_inwards;
   double shrink = 0;
+  Mat3 deform = Mat3::Identity();
   std::optional<TurnEntry> turn;
 };
 
@@ -132,6 +147,8 @@ void describe(Fields& fields, SupportEntry& support) {
           "shrink", support.shrink, NumberOf{Measure::kRatio}, kOptional,
           "Share by which the held nodes come closer to their centroid at load factor 1, such as 2 %; in addition to "
           "move.")
+      .field("deform", support.deform, MatrixOf(), kOptional,
+             "Three rows of a linear map: drawn places X are taken to F X at load factor 1, in addition to move.")
       .field("turn", support.turn, ObjectOf<TurnEntry>{"turn"}, kOptional, "Turn of the held frames.");
 }
 
@@ -162,6 +179,7 @@ void SupportOf::read(Reader& reader, const JsonValue& json, Support& support) co
   support.move = entry.move;
   support.move_inwards = entry.move_inwards;
   support.shrink = entry.shrink;
+  support.deform = entry.deform;
   if (entry.turn) {
     support.turn_axis = entry.turn->axis;
     support.turn_angle = entry.turn->angle;
@@ -176,6 +194,7 @@ JsonValue SupportOf::write(const Support& support) const {
   entry.move = support.move;
   entry.move_inwards = support.move_inwards;
   entry.shrink = support.shrink;
+  entry.deform = support.deform;
   if (support.turn_angle != 0 || support.turn_axis != Vec3::UnitZ()) {
     entry.turn = TurnEntry{support.turn_axis, support.turn_angle};
   }

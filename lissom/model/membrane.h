@@ -62,6 +62,12 @@ struct MembraneMesh {
   std::vector<std::array<int, 3>> triangles;  ///< (t x 3)
 };
 
+/// The angles between triangles at which bending is free of stress.
+enum class RestFolds {
+  kAsDrawn,
+  kFlat,  ///< a flat sheet that is drawn bent
+};
+
 using MembraneShape = std::variant<MembraneGrid, MembraneDisc, MembraneTriangles, MembraneMesh>;
 
 struct Membrane {
@@ -72,6 +78,7 @@ struct Membrane {
   Vec2 pre_stretch = Vec2::Ones();
   double warp_angle = 0;  ///< rad, from x to axis 1 in the plane of the drawing
   double bending = 1;     ///< multiplies the bending stiffness of the material; 0 switches bending off
+  RestFolds rest_folds = RestFolds::kAsDrawn;
 };
 
 }  // namespace lissom

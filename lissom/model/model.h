@@ -10,6 +10,7 @@
 #include "lissom/core/result.h"
 #include "lissom/model/curve.h"
 #include "lissom/model/expectation.h"
+#include "lissom/model/fabric_test.h"
 #include "lissom/model/material.h"
 #include "lissom/model/membrane.h"
 #include "lissom/model/motion_case.h"
@@ -91,6 +92,7 @@ struct Model {
   std::vector<NetworkFile> network_files;            ///< files from which the last of the rods were read
   std::vector<MembraneMaterial> membrane_materials;  ///< besides the library
   std::vector<Membrane> membranes;
+  std::vector<FabricTest> fabric_tests;
   std::optional<Plan> plan;  ///< rods on pre-stretched fabric, besides `rods` and `membranes`
   JointKind joint_kind = JointKind::kExplicit;
   JointWeights joint_weights = JointWeights::kEnergy;

@@ -31,6 +31,8 @@ struct Support {
   Vec3 move = Vec3::Zero();      ///< m, displacement at load factor 1 (components along free directions are ignored)
   std::optional<double> move_inwards;  ///< m, displacement towards the centroid of the set, in addition to `move`
   double shrink = 0;  ///< share by which the distance to the centroid of the set has become less at load factor 1
+  /// Linear map F that takes drawn places X to F X at load factor 1, in addition to `move`.
+  Mat3 deform = Mat3::Identity();
   Vec3 turn_axis = Vec3::UnitZ();
   double turn_angle = 0;  ///< rad at load factor 1; any number of turns
 };
@@ -66,6 +68,13 @@ struct LineLoad {
   Scaling scaling = Scaling::kProportional;
 };
 
+/// Dead load along the rim of membranes: on the edges whose ends are both selected, half of it at each end.
+struct EdgeLoad {
+  Selector at;
+  Vec3 force_per_length = Vec3::Zero();  ///< N per m of rest length
+  Scaling scaling = Scaling::kProportional;
+};
+
 struct Gravity {
   Vec3 acceleration = Vec3(0, 0, -9.81);  ///< m/s^2
   Scaling scaling = Scaling::kProportional;
@@ -92,6 +101,12 @@ struct Seed {
   double amplitude = 0;  ///< m, largest height; 0: the drawn shape itself
 };
 
+/// Form finding of membranes: their rest shape is renewed until nothing moves (equilibrium/form_finding.h).
+struct FormFinding {
+  int rounds = 200;         ///< at most
+  double tolerance = 1e-6;  ///< largest movement of a node in a round, over the size of the structure
+};
+
 /// Rigid motions that no support prevents.
 enum class RigidMotion {
   kRemoveNeutral,  ///< taken out where the loads do no work on them, so that nothing could tell one place from another
@@ -106,6 +121,7 @@ struct Pose {
   std::vector<PointForce> forces;
   std::vector<PointMoment> moments;
   std::vector<LineLoad> line_loads;
+  std::vector<EdgeLoad> edge_loads;
   std::optional<Gravity> gravity;
   /// Proportional: at load factor f a pre-stretch s is 1 + f (s - 1), so that a path finds where the flat shape buckles.
   Scaling stretch_scaling = Scaling::kConstant;
@@ -113,6 +129,7 @@ struct Pose {
   /// Absent: none, but a flat plan with rods on pre-stretched membranes starts from a saddle of 5 % of its extent towards
   /// +z: the flat shape is an exact saddle point of the energy. Of two mirror images this one is found.
   std::optional<Seed> seed;
+  std::optional<FormFinding> form_finding;
   /// Every node and roll stays where it is drawn: energies and internal forces of a prescribed shape.
   bool frozen = false;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/membrane_rim.h"
 #include "lissom/model/select_parts.h"
 #include "lissom/model/structure.h"
 
@@ -51,6 +52,9 @@ class Selection {
         return free_ends();
       case Selector::Kind::kBoundary:
         return boundary_nodes(structure_);
+      case Selector::Kind::kMembrane:
+      case Selector::Kind::kRim:
+        return membrane(selector);
       case Selector::Kind::kUnion:
         return parts(selector, depth);
     }
@@ -134,6 +138,28 @@ class Selection {
       if (std::abs(lengths[i] - place) < std::abs(lengths[best] - place) - 1e-9 * lengths.back()) best = i;
     }
     return Nodes{found.nodes[best % found.nodes.size()]};
+  }
+
+  Result<Nodes> membrane(const Selector& selector) const {
+    std::vector<std::string> names;
+    for (size_t m = 0; m < structure_.membranes.size(); ++m) {
+      names.push_back(structure_.membranes[m].name);
+      if (names.back() != selector.name) continue;
+      if (selector.kind == Selector::Kind::kMembrane) return structure_.membranes[m].nodes;
+      return rim(static_cast<int>(m), selector.rim);
+    }
+    return Error{ErrorCode::kUnknown, where_, fmt::format("there is no membrane named \"{}\"", selector.name),
+                 suggestion(selector.name, names)};
+  }
+
+  Nodes rim(int membrane, Selector::Rim which) const {
+    Nodes nodes;
+    const std::vector<RimLoop> loops = rim_loops(structure_, membrane);
+    for (size_t i = 0; i < loops.size(); ++i) {
+      if (which != Selector::Rim::kAll && (which == Selector::Rim::kOuter) != (i == 0)) continue;
+      for (const RimEdge& edge : loops[i]) nodes.push_back(edge.node0);
+    }
+    return nodes;
   }
 
   Result<Nodes> point(const Selector& selector) const {

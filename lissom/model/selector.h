@@ -21,7 +21,14 @@ struct Selector {
     kJoints,    ///< every node where rods meet: ends of two or more, or an end on or a crossing with a rod that passes
     kEnds,      ///< every end of a rod at which no other rod ends or passes
     kBoundary,  ///< outer loop of a line network: its nodes where rods meet or end, all of them on a ring, else free ends
+    kMembrane,  ///< vertices of membrane `name`
+    kRim,       ///< those of them at its edge, or at the part of it that `rim` says
     kUnion,     ///< all of `parts`
+  };
+  enum class Rim {
+    kAll,
+    kOuter,  ///< the longest closed line of the edge
+    kInner,  ///< the others: edges of holes
   };
   Kind kind = Kind::kAll;
   std::string name;
@@ -29,6 +36,7 @@ struct Selector {
   Vec3 point = Vec3::Zero();                     ///< m
   double tolerance = 0;                          ///< m; 0: half the mean edge length
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m
+  Rim rim = Rim::kAll;
   std::vector<Selector> parts;
 };
 

@@ -34,6 +34,7 @@ enum class Measure {
   kTime,
   kMass,
   kDensity,
+  kAreaDensity,
   kAcceleration,
   kVelocity,
   kMoment,
@@ -43,7 +44,7 @@ enum class Measure {
   kRate,
   kRatio,
 };
-constexpr int kMeasures = 15;
+constexpr int kMeasures = 16;
 
 struct MeasureInfo {
   Measure measure;

@@ -77,10 +77,17 @@ Checker::Checker(const Model& described) : model(described) {
   for (const Pose& pose : model.poses) poses.push_back(pose.name);
   for (const Material& material : model.materials) materials.push_back(material.name);
   for (const Material& material : material_library()) materials.push_back(material.name);
+  for (const Membrane& membrane : model.membranes) membranes.push_back(membrane.name);
+  for (const MembraneMaterial& fabric : model.membrane_materials) fabrics.push_back(fabric.name);
+  for (const MembraneMaterial& fabric : membrane_library()) fabrics.push_back(fabric.name);
+  for (const FabricTest& test : model.fabric_tests) fabric_tests.push_back(test.name);
   rod_names_.insert(rods.begin(), rods.end());
   set_names_.insert(sets.begin(), sets.end());
   pose_names_.insert(poses.begin(), poses.end());
   material_names_.insert(materials.begin(), materials.end());
+  membrane_names_.insert(membranes.begin(), membranes.end());
+  fabric_names_.insert(fabrics.begin(), fabrics.end());
+  fabric_test_names_.insert(fabric_tests.begin(), fabric_tests.end());
 }
 
 void Checker::fail(ErrorCode code, std::string where, std::string message, std::string hint) {
@@ -131,6 +138,9 @@ void Checker::direction(const Vec3& value, const std::string& where, bool unit) 
 const std::unordered_set<std::string>& Checker::lookup(const std::vector<std::string>& names) {
   if (&names == &rods) return rod_names_;
   if (&names == &sets) return set_names_;
+  if (&names == &membranes) return membrane_names_;
+  if (&names == &fabrics) return fabric_names_;
+  if (&names == &fabric_tests) return fabric_test_names_;
   return &names == &poses ? pose_names_ : material_names_;
 }
 
@@ -169,6 +179,9 @@ void Checker::selector(const Selector& selector, const std::string& where) {
              "give the smaller x, y and z first");
       }
       return;
+    case Selector::Kind::kMembrane:
+    case Selector::Kind::kRim:
+      return known(selector.name, membranes, "membrane", where + "/membrane");
     case Selector::Kind::kUnion: {
       if (selector.parts.empty()) fail(ErrorCode::kType, where, "this union of selectors is empty", "name some nodes");
       if (depth(selector) > kDeepestUnion) fail(ErrorCode::kUnsupported, where, "the unions are nested too deeply");
@@ -182,12 +195,16 @@ void Checker::selector(const Selector& selector, const std::string& where) {
 
 Status Model::validate() const {
   Checker check(*this);
-  std::vector<std::string> own, motion_names;
+  std::vector<std::string> own, own_fabrics, motion_names;
   for (const Material& material : materials) own.push_back(material.name);
+  for (const MembraneMaterial& fabric : membrane_materials) own_fabrics.push_back(fabric.name);
   for (const MotionCase& motion : motions) motion_names.push_back(motion.name);
   const auto listed = [](const char* key) { return [key](std::size_t i) { return at("", key, i) + "/name"; }; };
   check.distinct(own, "material", [&own](std::size_t i) { return "/materials/" + pointer_step(own[i]); });
+  check.distinct(own_fabrics, "fabric",
+                 [&own_fabrics](std::size_t i) { return "/membrane_materials/" + pointer_step(own_fabrics[i]); });
   check.distinct(check.rods, "rod", listed("rods"));
+  check.distinct(check.membranes, "membrane", listed("membranes"));
   check.distinct(check.sets, "set", [&check](std::size_t i) { return "/sets/" + pointer_step(check.sets[i]); });
   check.distinct(check.poses, "pose", listed("poses"));
   check.distinct(motion_names, "motion", listed("motions"));
@@ -197,9 +214,22 @@ Status Model::validate() const {
     check.positive(materials[i].youngs_modulus, where + "/youngs_modulus", "Young's modulus");
     check.finite(materials[i].density, where + "/density");
   }
-  if (rods.empty())
-    check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods", "add some to \"rods\" or \"networks\"");
+  for (std::size_t i = 0; i < membrane_materials.size() && !check.failed(); ++i) {
+    check_fabric(check, membrane_materials[i], "/membrane_materials/" + pointer_step(own_fabrics[i]));
+  }
+  if (rods.empty() && membranes.empty() && !plan && fabric_tests.empty()) {
+    check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods and no membranes",
+               "add some to \"rods\", \"networks\" or \"membranes\"");
+  }
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));
+  check.distinct(check.fabric_tests, "fabric test",
+                 [&check](std::size_t i) { return "/fabric_tests/" + pointer_step(check.fabric_tests[i]); });
+  for (std::size_t i = 0; i < fabric_tests.size() && !check.failed(); ++i) {
+    check_fabric_test(check, fabric_tests[i], "/fabric_tests/" + pointer_step(fabric_tests[i].name));
+  }
+  for (std::size_t i = 0; i < membranes.size() && !check.failed(); ++i) {
+    check_membrane(check, membranes[i], at("", "membranes", i));
+  }
   check_sets(check, *this);
   for (std::size_t i = 0; i < joints.size() && !check.failed(); ++i) {
     check.selector(joints[i].at, at("/joints", "exceptions", i) + "/at");

@@ -17,6 +17,7 @@ class Checker {
 
   const Model& model;
   std::vector<std::string> rods, sets, poses, materials;  ///< names, in order
+  std::vector<std::string> membranes, fabrics, fabric_tests;
 
   bool failed() const { return error_.has_value(); }
   Status status() const { return error_ ? Status(*error_) : Status(); }
@@ -48,12 +49,16 @@ class Checker {
  private:
   const std::unordered_set<std::string>& lookup(const std::vector<std::string>& names);
 
-  std::unordered_set<std::string> rod_names_, set_names_, pose_names_, material_names_;
+  std::unordered_set<std::string> rod_names_, set_names_, pose_names_, material_names_, membrane_names_, fabric_names_,
+      fabric_test_names_;
   std::optional<Error> error_;
 };
 
 void check_curve(Checker& check, const Curve& curve, const std::string& where);
 void check_rod(Checker& check, const Rod& rod, const std::string& where);
+void check_fabric(Checker& check, const MembraneMaterial& fabric, const std::string& where);
+void check_fabric_test(Checker& check, const FabricTest& test, const std::string& where);
+void check_membrane(Checker& check, const Membrane& membrane, const std::string& where);
 void check_pose(Checker& check, const Pose& pose, const std::string& where);
 void check_motion(Checker& check, const MotionCase& motion, const std::string& where);
 void check_expectation(Checker& check, const Expectation& expectation, const std::string& where);

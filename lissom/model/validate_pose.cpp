@@ -44,11 +44,16 @@ void check_support(Checker& check, const Support& support, const std::string& wh
     check.fail(ErrorCode::kRange, where + "/shrink", "the held nodes would meet in their middle or pass through it",
                "use less than 100 %; negative numbers spread them");
   }
+  for (int i = 0; i < 3; ++i) check.finite(Vec3(support.deform.row(i)), where + "/deform/" + std::to_string(i));
   check.direction(support.turn_axis, where + "/turn/axis");
   check.finite(support.turn_angle, where + "/turn/angle");
   const bool holds_positions = support.kind != SupportKind::kFree || !support.directions.empty();
-  const bool moves = !support.move.isZero(0) || support.move_inwards.value_or(0) != 0 || support.shrink != 0;
-  const std::string moved_by = support.shrink != 0 ? "/shrink" : support.move_inwards ? "/move_inwards" : "/move";
+  const bool moves = !support.move.isZero(0) || support.move_inwards.value_or(0) != 0 || support.shrink != 0 ||
+                     !support.deform.isIdentity(0);
+  const std::string moved_by = support.shrink != 0             ? "/shrink"
+                               : !support.deform.isIdentity(0) ? "/deform"
+                               : support.move_inwards          ? "/move_inwards"
+                                                               : "/move";
   if (moves && !holds_positions) {
     check.fail(ErrorCode::kConflict, where + moved_by, "the support moves but holds no displacement",
                "hold the directions that it moves along");
@@ -86,7 +91,7 @@ void check_contradictions(Checker& check, const std::vector<Support>& supports, 
         continue;
       const bool moved_alike = supports[i].move == supports[j].move &&
                                supports[i].move_inwards == supports[j].move_inwards &&
-                               supports[i].shrink == supports[j].shrink;
+                               supports[i].shrink == supports[j].shrink && supports[i].deform == supports[j].deform;
       return check.fail(ErrorCode::kConflict, at(where, "supports", i),
                         moved_alike ? "support " + std::to_string(j) + " already holds the position of the same nodes"
                                     : "support " + std::to_string(j) + " moves the same nodes differently",
@@ -117,6 +122,11 @@ void check_loads(Checker& check, const Pose& pose, const std::string& where) {
     }
     check.finite(pose.line_loads[i].force_per_length, here + "/force_per_length");
   }
+  for (std::size_t i = 0; i < pose.edge_loads.size() && !check.failed(); ++i) {
+    const std::string here = at(where, "edge_loads", i);
+    check.selector(pose.edge_loads[i].at, here + "/at");
+    check.finite(pose.edge_loads[i].force_per_length, here + "/force_per_length");
+  }
   if (!pose.gravity) return;
   check.finite(pose.gravity->acceleration, where + "/gravity");
   bool heavy = false;
@@ -124,8 +134,13 @@ void check_loads(Checker& check, const Pose& pose, const std::string& where) {
     const Material* material = check.model.material(rod.material);
     heavy = heavy || (material && material->density > 0);
   }
+  for (const Membrane& membrane : check.model.membranes) {
+    const MembraneMaterial* fabric = check.model.membrane_material(membrane.material);
+    heavy = heavy || (fabric && fabric->area_density > 0);
+  }
+  heavy = heavy || check.model.plan.has_value();
   if (!heavy) {
-    check.fail(ErrorCode::kConflict, where + "/gravity", "gravity acts, but no material of the rods has a density",
+    check.fail(ErrorCode::kConflict, where + "/gravity", "gravity acts, but no material has a density",
                "add \"density\" to a material, or remove \"gravity\"");
   }
 }
@@ -150,6 +165,19 @@ void check_pose(Checker& check, const Pose& pose, const std::string& where) {
       check.fail(ErrorCode::kConflict, where + "/path",
                  "the path both stops at a critical point and continues on its branch",
                  "keep one of \"stop_at_critical\" and \"switch_branch\"");
+    }
+  }
+  if (pose.form_finding) {
+    const std::string here = where + "/form_finding";
+    check.positive(pose.form_finding->tolerance, here + "/tolerance", "tolerance");
+    if (pose.form_finding->rounds < 2) check.fail(ErrorCode::kRange, here + "/rounds", "it takes at least two rounds");
+    if (pose.path || pose.frozen) {
+      check.fail(ErrorCode::kConflict, here, "a form is found in one state, not along a path nor in a frozen shape",
+                 "remove \"path\" and \"frozen\", or \"form_finding\"");
+    }
+    if (check.model.membranes.empty() && !check.model.plan) {
+      check.fail(ErrorCode::kConflict, here, "there is no membrane whose form could be found",
+                 "add one to \"membranes\", or remove \"form_finding\"");
     }
   }
   if (pose.seed) {
@@ -202,6 +230,12 @@ void check_expectation(Checker& check, const Expectation& expectation, const std
   if (expectation.to) check.selector(*expectation.to, where + "/to");
   if (expectation.axis) check.direction(*expectation.axis, where + "/axis", true);
   if (!expectation.rod.empty()) check.known(expectation.rod, check.rods, "rod", where + "/rod");
+  if (!expectation.membrane.empty()) {
+    check.known(expectation.membrane, check.membranes, "membrane", where + "/membrane");
+  }
+  if (!expectation.fabric_test.empty()) {
+    check.known(expectation.fabric_test, check.fabric_tests, "fabric test", where + "/fabric_test");
+  }
   if (!(expectation.fraction <= 1)) {
     check.fail(ErrorCode::kRange, where + "/fraction", "the place on a rod has to be between 0 and 1");
   }

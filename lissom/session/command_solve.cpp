@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/equilibrium/form_finding.h"
 #include "lissom/equilibrium/solve.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/output.h"
@@ -66,8 +67,8 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
   std::vector<SolvedPose> results;
   for (const int p : poses.value()) {
     const Pose& pose = document.model.poses[p];
-    const Result<StaticProblem> problem =
-        make_static_problem(document.model, system, pose, "/poses/" + std::to_string(p));
+    const std::string where = "/poses/" + std::to_string(p);
+    const Result<StaticProblem> problem = make_static_problem(document.model, system, pose, where);
     if (!problem) return problem.error();
     SolvedPose solved;
     solved.pose = pose.name;
@@ -76,11 +77,25 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
     solved.notes = system.structure.notes;
     solved.removed_motions = problem.value().supports.removed_motions();
     const State start = command.resume ? command.resume->state : start_state(problem.value(), pose);
-    solved.equilibrium = solve(problem.value(), start, command.load_factor, command.options, context);
-    const Status status = write_pose(document, pose, system, stems[p], command, solved, output);
+    std::unique_ptr<System> found;  // with the rest shapes that form finding has made
+    if (pose.form_finding) {
+      if (command.load_factor != 1 || command.resume) {
+        return Error{ErrorCode::kConflict, command.resume ? "--resume" : "--load-factor",
+                     "the form of pose \"" + pose.name + "\" is found from the drawn shape at load factor 1",
+                     "leave this option out"};
+      }
+      Result<FoundForm> form = find_form(document.model, system, pose, where, command.options, context);
+      if (!form) return form.error();
+      solved.equilibrium = std::move(form.value().equilibrium);
+      found = std::move(form.value().system);
+    } else {
+      solved.equilibrium = solve(problem.value(), start, command.load_factor, command.options, context);
+    }
+    const System& shown = found ? *found : system;
+    const Status status = write_pose(document, pose, shown, stems[p], command, solved, output);
     if (!status) return status.error();
     solved.files = output.take_written();
-    solved.summary = result_summary(pose, system, solved.removed_motions, solved.equilibrium, solved.files);
+    solved.summary = result_summary(pose, shown, solved.removed_motions, solved.equilibrium, solved.files);
     results.push_back(std::move(solved));
     if (context.cancelled()) break;
   }

@@ -37,6 +37,43 @@ constexpr QuantityInfo kQuantities[] = {
     {"rest_length", "m", "rest length of a rod, or of all rods", kRod, 0, rod_rest_length, nullptr, PoseUse::kNone},
     {"mass", "kg", "mass of a rod, or of all rods", kRod, 0, rod_mass, nullptr, PoseUse::kNone},
 
+    {"line_stretch", "1", "stretch of rest lines of a membrane along an axis of the drawing, mean", kAt | kAxis, kAxis,
+     membrane_line_stretch},
+    {"line_angle", "rad", "angle between rest lines of a membrane along and across an axis of the drawing, mean",
+     kAt | kAxis, kAxis, membrane_angle},
+    {"largest_stretch", "1", "largest principal stretch of membranes", kAt, 0, membrane_largest_stretch},
+    {"smallest_stretch", "1", "smallest principal stretch of membranes", kAt, 0, membrane_smallest_stretch},
+    {"film_tension", "N/m", "Cauchy tension of membranes, mean of all directions or along an axis of the drawing",
+     kAt | kAxis, 0, membrane_tension},
+    {"area", "m^2", "area of membranes", kAt, 0, membrane_area},
+    {"rest_area", "m^2", "rest area of membranes", kAt, 0, membrane_rest_area},
+    {"surface_height", "m", "where a line along an axis through a point meets a membrane", kAt | kAxis, kAt | kAxis,
+     membrane_height},
+    {"membrane_energy", "J", "elastic energy of membranes", kAt, 0, membrane_energy},
+    {"energy_density", "J/m^2", "elastic energy of membranes per rest area", kAt, 0, membrane_energy_density},
+    {"bending_energy_density", "J/m^2", "elastic energy of bending of membranes per rest area", kAt, 0,
+     membrane_bending_density},
+    {"pre_stretch", "1", "pre-stretch of a membrane along its warp", kMembrane, kMembrane, membrane_pre_stretch},
+    {"bending_stiffness", "N m", "bending stiffness of a membrane by its width", kMembrane, kMembrane,
+     membrane_bending_stiffness, nullptr, PoseUse::kNone},
+
+    {"fitted_stiffness_1", "N/m", "stiffness along the warp that fits a fabric test", kFabricTest, kFabricTest,
+     fitted_stiffness_1, nullptr, PoseUse::kNone},
+    {"fitted_stiffness_2", "N/m", "stiffness along the weft that fits a fabric test", kFabricTest, kFabricTest,
+     fitted_stiffness_2, nullptr, PoseUse::kNone},
+    {"fitted_poisson_ratio", "1", "Poisson ratio that fits a fabric test", kFabricTest, kFabricTest,
+     fitted_poisson_ratio, nullptr, PoseUse::kNone},
+    {"fitted_shear", "N/m", "shear modulus that follows from the three", kFabricTest, kFabricTest, fitted_shear,
+     nullptr, PoseUse::kNone},
+    {"fitted_modulus", "N/m", "fitted modulus of a strip cut along an axis; x is the warp", kFabricTest | kAxis,
+     kFabricTest | kAxis, fitted_modulus, nullptr, PoseUse::kNone},
+
+    {"cut_force", "N", "force across a plane, positive in tension", kAt | kAxis, kAt | kAxis, cut_force_all},
+    {"membrane_cut_force", "N", "the part of it that membranes carry", kAt | kAxis, kAt | kAxis, cut_force_membranes},
+    {"rod_cut_force", "N", "the part of it that rods carry", kAt | kAxis, kAt | kAxis, cut_force_rods},
+    {"ring_stiffness", "N/m", "stiffness of a closed rod, with all around it, against a wave of the radius",
+     kRod | kMode, kRod | kMode, ring_stiffness},
+
     {"energy", "J", "elastic energy", kAt, 0, energy_total},
     {"stretch_energy", "J", "elastic energy of stretching", kAt, 0, energy_stretch},
     {"bending_energy", "J", "elastic energy of bending", kAt, 0, energy_bending},
@@ -62,7 +99,9 @@ constexpr FieldName kFieldNames[] = {{kAt, "at"},
                                      {kRod, "rod"},
                                      {kFraction, "fraction"},
                                      {kMode, "mode"},
-                                     {kModeKind, "mode_kind"}};
+                                     {kModeKind, "mode_kind"},
+                                     {kMembrane, "membrane"},
+                                     {kFabricTest, "fabric_test"}};
 
 /// Which fields an entry gives. `at` of all nodes is the same as none.
 unsigned given_fields(const Expectation& e) {
@@ -76,6 +115,8 @@ unsigned given_fields(const Expectation& e) {
   if (e.fraction >= 0) given |= kFraction;
   if (e.mode >= 0) given |= kMode;
   if (!e.mode_kind.empty()) given |= kModeKind;
+  if (!e.membrane.empty()) given |= kMembrane;
+  if (!e.fabric_test.empty()) given |= kFabricTest;
   return given;
 }
 

@@ -24,7 +24,17 @@ struct Measurement {
 };
 
 /// Fields of an expectation that a quantity may read.
-enum QuantityField : unsigned { kAt = 1, kTo = 2, kAxis = 4, kRod = 8, kFraction = 16, kMode = 32, kModeKind = 64 };
+enum QuantityField : unsigned {
+  kAt = 1,
+  kTo = 2,
+  kAxis = 4,
+  kRod = 8,
+  kFraction = 16,
+  kMode = 32,
+  kModeKind = 64,
+  kMembrane = 128,
+  kFabricTest = 256
+};
 
 enum class PoseUse {
   kEach,      ///< one value per pose

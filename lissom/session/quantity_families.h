@@ -35,6 +35,34 @@ Result<double> rod_length(const Measurement& m);
 Result<double> rod_rest_length(const Measurement& m);
 Result<double> rod_mass(const Measurement& m);
 
+// Membranes.
+Result<double> membrane_line_stretch(const Measurement& m);
+Result<double> membrane_angle(const Measurement& m);
+Result<double> membrane_largest_stretch(const Measurement& m);
+Result<double> membrane_smallest_stretch(const Measurement& m);
+Result<double> membrane_tension(const Measurement& m);
+Result<double> membrane_area(const Measurement& m);
+Result<double> membrane_rest_area(const Measurement& m);
+Result<double> membrane_height(const Measurement& m);
+Result<double> membrane_energy(const Measurement& m);
+Result<double> membrane_energy_density(const Measurement& m);
+Result<double> membrane_bending_density(const Measurement& m);
+Result<double> membrane_pre_stretch(const Measurement& m);
+Result<double> membrane_bending_stiffness(const Measurement& m);
+
+// What is fitted to fabric tests.
+Result<double> fitted_stiffness_1(const Measurement& m);
+Result<double> fitted_stiffness_2(const Measurement& m);
+Result<double> fitted_poisson_ratio(const Measurement& m);
+Result<double> fitted_shear(const Measurement& m);
+Result<double> fitted_modulus(const Measurement& m);
+
+// Cuts and rings.
+Result<double> cut_force_all(const Measurement& m);
+Result<double> cut_force_membranes(const Measurement& m);
+Result<double> cut_force_rods(const Measurement& m);
+Result<double> ring_stiffness(const Measurement& m);
+
 // Elastic energies.
 Result<double> energy_total(const Measurement& m);
 Result<double> energy_stretch(const Measurement& m);
@@ -58,6 +86,11 @@ Result<std::vector<int>> selected_nodes(const Measurement& m, const Selector& at
 Result<int> selected_node(const Measurement& m, const System& system);
 /// Component along the axis of the entry, or the norm without one.
 double component_or_norm(const Measurement& m, const Vec3& v);
+
+/// Pre-stretch of a membrane along its axes at the load factor of a situation.
+Vec2 present_pre_stretch(const Situation& s, const StructureMembrane& membrane);
+/// Elastic energy of the triangles and hinges of membranes whose vertices are all selected, J.
+double cloth_energy(const Situation& s, const std::vector<bool>& selected);
 
 /// Sums over selected nodes: forces on held positions; moments on held frames and rolls. `reaction` as in Situation.
 Vec3 force_sum(const System& system, const VecX& reaction, const std::vector<int>& nodes);

@@ -36,7 +36,16 @@ Result<const System*> Study::system(double refine) {
 }
 
 Result<const StaticProblem*> Study::problem(int pose, double refine) {
+  if (model_.poses[pose].form_finding) {
+    const Result<const FoundForm*> form = this->form(pose, refine);
+    if (!form) return form.error();
+    return form.value()->problem.get();
+  }
   return once(problems_, Key(pose, refine), [&] { return make_problem({pose, refine}); });
+}
+
+Result<const FoundForm*> Study::form(int pose, double refine) {
+  return once(forms_, Key(pose, refine), [&] { return make_form({pose, refine}); });
 }
 
 Result<const PathResult*> Study::path(int pose, double refine) {
@@ -98,6 +107,20 @@ Result<StaticProblem> Study::make_problem(Key key) {
   return make_static_problem(model_, *system.value(), model_.poses[key.first], "/poses/" + std::to_string(key.first));
 }
 
+Result<FoundForm> Study::make_form(Key key) {
+  const Result<const System*> system = this->system(key.second);
+  if (!system) return system.error();
+  Result<FoundForm> form = find_form(model_, *system.value(), model_.poses[key.first],
+                                     "/poses/" + std::to_string(key.first), options_, context_);
+  if (form && !in_balance(form.value().equilibrium.verdict)) {
+    return Error{ErrorCode::kGeometry,
+                 {},
+                 name_of(key.first) + " has no form: " + form.value().equilibrium.message,
+                 "let it take more rounds"};
+  }
+  return form;
+}
+
 Result<PathResult> Study::make_path(Key key) {
   const Pose& pose = model_.poses[key.first];
   const Result<const StaticProblem*> problem = this->problem(key.first, key.second);
@@ -126,6 +149,8 @@ Result<Situation> Study::make_situation(Key key) {
   if (pose.frozen) {
     situation.state = drawn_state(*problem.system);
     situation.state.load_factor = 1;
+  } else if (pose.form_finding) {
+    situation.state = form(key.first, key.second).value()->equilibrium.state;
   } else if (pose.path) {
     const Result<const PathResult*> path = this->path(key.first, key.second);
     if (!path) return path.error();

@@ -8,6 +8,7 @@
 
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/continuation.h"
+#include "lissom/equilibrium/form_finding.h"
 #include "lissom/equilibrium/options.h"
 #include "lissom/equilibrium/stability.h"
 #include "lissom/equilibrium/static_problem.h"
@@ -49,6 +50,8 @@ class Study {
   /// `refine` multiplies all numbers of edges; `pose` is an index into Model::poses.
   Result<const System*> system(double refine = 1);
   Result<const StaticProblem*> problem(int pose, double refine = 1);
+  /// Of a pose with form finding.
+  Result<const FoundForm*> form(int pose, double refine = 1);
   Result<const PathResult*> path(int pose, double refine = 1);
   Result<const Situation*> situation(int pose, double refine = 1);
   Result<const Rate*> rate(int pose, double refine = 1);
@@ -61,6 +64,7 @@ class Study {
   using Key = std::pair<int, double>;  // pose, refine
 
   Result<StaticProblem> make_problem(Key key);
+  Result<FoundForm> make_form(Key key);
   Result<PathResult> make_path(Key key);
   Result<Situation> make_situation(Key key);
   Result<Rate> make_rate(Key key);
@@ -72,6 +76,7 @@ class Study {
   Context context_;
   std::map<double, Result<System>> systems_;
   std::map<Key, Result<StaticProblem>> problems_;
+  std::map<Key, Result<FoundForm>> forms_;
   std::map<Key, Result<PathResult>> paths_;
   std::map<Key, Result<Situation>> situations_;
   std::map<Key, Result<Rate>> rates_;
