@@ -8,7 +8,7 @@ namespace lissom {
 namespace {
 
 // px; neighbouring faces overlap, or antialiasing would show the page between them. More where many small ones meet.
-constexpr double kSeam = 0.3, kClothSeam = 1.0;
+constexpr double kSeam = 0.3, kClothSeam = 0.75;
 
 /// Convex polygon with its edges moved outwards (bevelled at sharp corners), px.
 void widen(std::span<const Vec2> points, double seam, std::vector<Vec2>& widened) {
