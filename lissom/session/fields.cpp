@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lissom/session/field_families.h"
 #include "lissom/session/rod_places.h"
 #include "lissom/view/pose_markers.h"
 
@@ -125,6 +126,8 @@ std::vector<double> radius_b(const FieldSource& s) {
 
 constexpr auto kEdge = Field::Place::kEdge;
 constexpr auto kNode = Field::Place::kNode;
+constexpr auto kTriangle = Field::Place::kTriangle;
+constexpr auto kMembranes = FieldNeeds::kMembranes;
 constexpr auto kPlain = Field::Colors::kSequential;
 constexpr auto kSigned = Field::Colors::kDiverging;
 
@@ -144,7 +147,38 @@ constexpr FieldInfo kFields[] = {
     {"radius b", "m", "mm", 1000, kEdge, kPlain, "half-extent of the section along b (in plane)", radius_b},
     {"displacement", "m", "mm", 1000, kNode, kPlain, "distance of each node from where it is drawn", displacement},
     {"reaction", "N", "N", 1, kNode, kPlain, "force of the supports on each node", reaction_force},
+    {"joint force", "N", "N", 1, kNode, kPlain, "largest force that a rod passes on to the joint", joint_force,
+     kMembranes},
+    {"joint moment", "N m", "N mm", 1000, kNode, kPlain, "largest moment that a rod passes on to the joint",
+     joint_moment, kMembranes},
+    {"largest stretch", "", "", 1, kTriangle, kPlain, "larger principal stretch of the fabric, 1: as long as at rest",
+     largest_stretch, kMembranes},
+    {"smallest stretch", "", "", 1, kTriangle, kPlain, "smaller principal stretch of the fabric, below 1: slack",
+     smallest_stretch, kMembranes},
+    {"largest tension", "N/m", "N/m", 1, kTriangle, kSigned, "larger principal tension of the fabric, per length",
+     largest_tension, kMembranes},
+    {"smallest tension", "N/m", "N/m", 1, kTriangle, kSigned, "smaller principal tension of the fabric, per length",
+     smallest_tension, kMembranes},
+    {"slack", "", "", 1, kTriangle, kPlain, "1 where the smallest stretch is below 1, else 0", slack, kMembranes},
+    {"fabric energy", "J/m^2", "mJ/m²", 1000, kTriangle, kPlain, "elastic energy of the fabric per unstretched area",
+     membrane_energy, kMembranes},
 };
+
+/// What pictures mark on membranes whatever colours them.
+void add_marks(const FieldSource& source, Drawing& drawing) {
+  const Structure& structure = source.system.structure;
+  if (structure.triangles.empty()) return;
+  const std::vector<Vec3> positions = node_positions(source);
+  const std::vector<TriangleTension> tensions = triangle_tensions(source, positions);
+  for (size_t m = 0; m < structure.membranes.size(); ++m) {
+    const int first = structure.membranes[m].first_triangle;
+    for (int t = first; t < first + structure.membranes[m].triangles; ++t) {
+      const TriangleStretch stretch = triangle_stretch(structure, structure.triangles[t], positions);
+      drawing.membranes[m].smallest_stretch.push_back(stretch.smallest);
+      drawing.membranes[m].tension.push_back(tensions[t].direction * std::max(0.0, tensions[t].largest));
+    }
+  }
+}
 
 Drawing bare_drawing(const System& system, const State& state) {
   std::vector<Vec3> positions;
@@ -160,15 +194,16 @@ std::span<const FieldInfo> field_list() { return kFields; }
 
 Result<Drawing> draw_state(const FieldSource& source, const Pose* pose) {
   Drawing drawing = bare_drawing(source.system, source.state);
+  add_marks(source, drawing);
   for (const FieldInfo& info : kFields) {
+    if (info.needs == FieldNeeds::kMembranes && source.system.structure.triangles.empty()) continue;
     drawing.fields.push_back({std::string(info.name), std::string(info.unit), std::string(info.display_unit),
                               info.display_scale, info.place, info.colors,
                               field_values(source.system.structure, info.place, info.values(source))});
   }
   if (pose == nullptr) return drawing;
-  std::vector<Vec3> positions;
-  for (int i = 0; i < source.system.layout.nodes(); ++i) positions.push_back(source.state.position(i));
-  Result<std::vector<Marker>> markers = pose_markers(source.model, source.system.structure, *pose, positions);
+  Result<std::vector<Marker>> markers =
+      pose_markers(source.model, source.system.structure, *pose, node_positions(source));
   if (!markers) return markers.error();
   drawing.markers = std::move(markers).value();
   return drawing;

@@ -18,6 +18,9 @@ struct FieldSource {
   const VecX* reaction = nullptr;
 };
 
+/// Structures without membranes have no fields of membranes, nor those that matter for membranes only.
+enum class FieldNeeds { kNothing, kMembranes };
+
 struct FieldInfo {
   std::string_view name;
   std::string_view unit, display_unit;
@@ -25,7 +28,8 @@ struct FieldInfo {
   Field::Place place = Field::Place::kEdge;
   Field::Colors colors = Field::Colors::kSequential;
   std::string_view description;
-  std::vector<double> (*values)(const FieldSource&);  ///< one per node or per edge of the structure
+  std::vector<double> (*values)(const FieldSource&);  ///< one per node, edge or triangle of the structure
+  FieldNeeds needs = FieldNeeds::kNothing;
 };
 
 std::span<const FieldInfo> field_list();

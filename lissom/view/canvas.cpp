@@ -54,7 +54,7 @@ Canvas::~Canvas() {
 
 namespace {
 
-void set_color(cairo_t* cr, const Color& c) { cairo_set_source_rgb(cr, c.r, c.g, c.b); }
+void set_color(cairo_t* cr, const Color& c, double opacity = 1) { cairo_set_source_rgba(cr, c.r, c.g, c.b, opacity); }
 
 /// Eighths of a pixel cannot be told apart, and keep SVG numbers short.
 void trace(cairo_t* cr, std::span<const Vec2> points) {
@@ -63,7 +63,7 @@ void trace(cairo_t* cr, std::span<const Vec2> points) {
 }
 
 void set_stroke(cairo_t* cr, const Stroke& stroke) {
-  set_color(cr, stroke.color);
+  set_color(cr, stroke.color, stroke.opacity);
   cairo_set_line_width(cr, stroke.width);
   cairo_set_line_cap(cr, stroke.cap == Stroke::Cap::kRound ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
   cairo_set_dash(cr, stroke.dash.data(), static_cast<int>(stroke.dash.size()), 0);
@@ -94,11 +94,11 @@ void Canvas::disc(const Vec2& centre, double radius, const Color& color) {
   cairo_fill(cr);
 }
 
-void Canvas::polygon(std::span<const Vec2> points, const Color& color) {
+void Canvas::polygon(std::span<const Vec2> points, const Color& color, double opacity) {
   cairo_t* cr = surface_->cr;
   trace(cr, points);
   cairo_close_path(cr);
-  set_color(cr, color);
+  set_color(cr, color, opacity);
   cairo_fill(cr);
 }
 

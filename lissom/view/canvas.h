@@ -21,6 +21,7 @@ struct Stroke {
   double width = 1;  ///< px
   Cap cap = Cap::kRound;
   std::vector<double> dash = {};  ///< px on, px off, ...; empty: solid
+  double opacity = 1;
 };
 
 struct TextStyle {
@@ -47,7 +48,7 @@ class Canvas {
   void rectangle(const Vec2& corner, const Vec2& size, const Color& color);
   void disc(const Vec2& centre, double radius, const Color& color);
 
-  void polygon(std::span<const Vec2> points, const Color& color);
+  void polygon(std::span<const Vec2> points, const Color& color, double opacity = 1);
   void outline(std::span<const Vec2> points, const Stroke& stroke);  ///< closed
   void polyline(std::span<const Vec2> points, const Stroke& stroke);
 

@@ -16,13 +16,14 @@ struct PlyOptions {
   std::optional<ColorRange> range = {};  ///< as stored (SI); absent: fits the field
 };
 
-/// Centrelines: one object with one `l` element per rod. Points that rods share are written once.
+/// Centrelines: one object with one `l` element per rod, then one with the triangles of each membrane. Points that rods
+/// and membranes share are written once.
 Result<std::string> obj_centrelines(const Drawing& drawing);
 
-/// Closed surfaces, one object per rod. `sides` as in PlyOptions.
+/// Closed surfaces, one object per rod, then the open one of each membrane. `sides` as in PlyOptions.
 Result<std::string> obj_surfaces(const Drawing& drawing, int sides = 24);
 
-/// Closed surfaces with the colour of a field at every vertex.
+/// The same surfaces with the colour of a field at every vertex.
 Result<std::string> ply_surfaces(const Drawing& drawing, const PlyOptions& options = {});
 
 }  // namespace lissom

@@ -12,6 +12,7 @@ namespace lissom {
 namespace {
 
 constexpr int kPngBudget = 60000, kSvgBudget = 9000;  // pieces per panel
+constexpr double kSeenThrough = 0.2;                  // of rods behind cloth
 
 /// Everything that the panels share.
 struct Shared {
@@ -20,13 +21,28 @@ struct Shared {
   MarkerScale markers;
   double ground = 0;  // m
   int supports = 0;
-  Legend legend;
-  const Field* field = nullptr;  // first one of that name
-  ColorRange range;              // as stored
+  ColorKey colors, membrane_colors;
+  ClothMarks marks;
 };
+
+double em_of(const PictureOptions& options) {
+  return std::sqrt(static_cast<double>(options.width) * options.height) / 85;
+}
+
+const Field* field_of(const Drawing& drawing, const std::string& name) {
+  return name.empty() ? nullptr : drawing.field(name);
+}
 
 bool shown(const Marker& marker, const PictureOptions& options) {
   return (marker.kind == Marker::Kind::kForce ? options.forces : options.supports) == Visibility::kShown;
+}
+
+Status check_field(const Drawing& drawing, const std::string& name) {
+  if (name.empty() || drawing.field(name) != nullptr) return {};
+  std::string names;
+  for (const Field& f : drawing.fields) names += (names.empty() ? "" : ", ") + f.name;
+  return Error{ErrorCode::kUnknown, "field", fmt::format("there is no field \"{}\"", name),
+               names.empty() ? "this drawing has no fields" : "known fields: " + names};
 }
 
 Status check(const std::vector<Panel>& panels, const PictureOptions& options) {
@@ -41,12 +57,13 @@ Status check(const std::vector<Panel>& panels, const PictureOptions& options) {
     for (const Layer& layer : panel.layers) {
       any = true;
       if (Status status = check_drawing(layer.drawing); !status) return status;
-      if (options.field.empty() || layer.style != Layer::Style::kSolid) continue;
-      if (layer.drawing.field(options.field) != nullptr) continue;
-      std::string names;
-      for (const Field& f : layer.drawing.fields) names += (names.empty() ? "" : ", ") + f.name;
-      return Error{ErrorCode::kUnknown, "field", fmt::format("there is no field \"{}\"", options.field),
-                   names.empty() ? "this drawing has no fields" : "known fields: " + names};
+      for (const std::vector<Vec3>& guide : layer.guides) {
+        if (std::all_of(guide.begin(), guide.end(), [](const Vec3& p) { return p.allFinite(); })) continue;
+        return Error{ErrorCode::kRange, "guides", "a guide has a coordinate that is not a finite number", {}};
+      }
+      if (layer.style != Layer::Style::kSolid) continue;
+      if (Status status = check_field(layer.drawing, options.field); !status) return status;
+      if (Status status = check_field(layer.drawing, options.membrane_field); !status) return status;
     }
   }
   if (!any) return Error{ErrorCode::kGeometry, "picture", "there is nothing to draw", "give at least one state"};
@@ -67,6 +84,15 @@ void gather_shape(const std::vector<Panel>& panels, const PictureOptions& option
           high = high.cwiseMax(rod.points[i] + Vec3::Constant(shared.radii.back()));
         }
       }
+      const auto see = [&](const Vec3& p) {
+        shared.points.push_back(p);
+        shared.radii.push_back(0);
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      };
+      for (const MembraneSheet& sheet : layer.drawing.membranes)
+        std::for_each(sheet.points.begin(), sheet.points.end(), see);
+      for (const std::vector<Vec3>& guide : layer.guides) std::for_each(guide.begin(), guide.end(), see);
       for (const Marker& marker : layer.drawing.markers) {
         if (!shown(marker, options)) continue;
         supports += marker.kind != Marker::Kind::kForce;
@@ -103,71 +129,66 @@ void gather_shape(const std::vector<Panel>& panels, const PictureOptions& option
   }
 }
 
-void gather_colors(const std::vector<Panel>& panels, const PictureOptions& options, Shared& shared) {
-  if (options.field.empty()) return;
-  bool any = false;
-  ColorRange found;
+/// Marks on cloth: slack is hatched when it is known and there is some.
+void gather_marks(const std::vector<Panel>& panels, const PictureOptions& options, double em, const ThemeColors& colors,
+                  Shared& shared) {
+  bool slack = false, pull = false;
   for (const Panel& panel : panels) {
     for (const Layer& layer : panel.layers) {
       if (layer.style != Layer::Style::kSolid) continue;
-      const Field& field = *layer.drawing.field(options.field);
-      if (shared.field == nullptr) shared.field = &field;
-      const bool has_values =
-          std::any_of(field.values.begin(), field.values.end(), [](double v) { return !std::isnan(v); });
-      shared.legend.has_missing |=
-          std::any_of(field.values.begin(), field.values.end(), [](double v) { return std::isnan(v); });
-      if (!has_values) continue;
-      const ColorRange fitted = ColorRange::fitting(field.colors, field.values);
-      const ColorRange extremes = ColorRange::fitting(Field::Colors::kSequential, field.values);
-      shared.range = any ? shared.range.including(fitted) : fitted;
-      found = any ? found.including(extremes) : extremes;
-      any = true;
+      for (const MembraneSheet& sheet : layer.drawing.membranes) {
+        const std::vector<double>& stretch = sheet.smallest_stretch;
+        slack |= std::any_of(stretch.begin(), stretch.end(), [](double s) { return s < 1; });
+        pull |= !sheet.tension.empty();
+      }
     }
   }
-  if (shared.field == nullptr) return;
-  if (options.range) shared.range = *options.range;
-  const double scale = shared.field->display_scale;
-  shared.legend.title = shared.field->name;
-  shared.legend.unit = shared.field->display_unit;
-  shared.legend.colors = shared.field->colors;
-  shared.legend.range = {shared.range.low * scale, shared.range.high * scale};
-  shared.legend.found = {found.low * scale, found.high * scale};
-  shared.legend.has_values = any;
+  const bool fields = !options.field.empty() || !options.membrane_field.empty();
+  shared.marks.ink = mix(colors.fabric, colors.ink, fields ? 0.75 : 0.45);
+  shared.marks.hem = 0.09 * em;
+  if (slack && options.slack == Visibility::kShown) shared.marks.hatch = 0.6 * em;
+  if (pull && options.tension == Visibility::kShown) shared.marks.stroke = 1.2 * em;
 }
 
 void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& options, const Shared& shared,
                 const Camera& camera, int budget) {
   const ThemeColors colors = theme_colors(options.theme);
+  const double em = em_of(options);
+  const Stroke dashed{.color = mix(colors.ghost, colors.ink, 0.25),
+                      .width = 0.1 * em,
+                      .cap = Stroke::Cap::kButt,
+                      .dash = {0.5 * em, 0.35 * em}};
   if (options.shadow == Visibility::kShown && options.view.elevation > 0.05) {
     Scene shadow(camera, shared.ground, colors.shadow);
     for (const Layer& layer : panel.layers) {
-      if (layer.style == Layer::Style::kSolid)
-        add_rods(shadow, camera, layer.drawing, {.plain = colors.shadow}, budget / 4);
+      if (layer.style != Layer::Style::kSolid) continue;
+      add_membranes(shadow, camera, layer.drawing, {.plain = colors.shadow}, {}, 0);
+      add_rods(shadow, camera, layer.drawing, {.plain = colors.shadow}, budget / 4);
     }
     shadow.paint(canvas);
   }
-  Scene behind(camera), front(camera);
+  Scene behind(camera), front(camera), through(camera);
   for (const Layer& layer : panel.layers) {
     switch (layer.style) {
-      case Layer::Style::kDashed: {
-        const double em = std::sqrt(static_cast<double>(options.width) * options.height) / 85;
-        draw_centrelines(canvas, camera, layer.drawing,
-                         {.color = mix(colors.ghost, colors.ink, 0.25),
-                          .width = 0.1 * em,
-                          .cap = Stroke::Cap::kButt,
-                          .dash = {0.5 * em, 0.35 * em}});
+      case Layer::Style::kDashed:
+        draw_centrelines(canvas, camera, layer.drawing, dashed);
         break;
-      }
       case Layer::Style::kGhost:
         add_rods(behind, camera, layer.drawing, {.plain = colors.ghost, .contrast = 0.3}, budget / 3);
         break;
-      case Layer::Style::kSolid:
-        add_rods(front, camera, layer.drawing,
-                 {.field = options.field.empty() ? nullptr : layer.drawing.field(options.field),
-                  .range = shared.range,
-                  .plain = colors.rod},
-                 budget);
+      case Layer::Style::kSolid: {
+        const Paint rods{
+            .field = field_of(layer.drawing, options.field), .range = shared.colors.range, .plain = colors.rod};
+        const bool own = !options.membrane_field.empty();
+        const Paint cloth{.field = field_of(layer.drawing, own ? options.membrane_field : options.field),
+                          .range = own ? shared.membrane_colors.range : shared.colors.range,
+                          .plain = colors.fabric};
+        const bool any = !layer.drawing.membranes.empty();
+        const Bed bed = add_membranes(front, camera, layer.drawing, cloth, shared.marks, budget / 2);
+        add_rods(front, camera, layer.drawing, rods, any ? budget / 2 : budget, bed);
+        if (any) add_rods(through, camera, layer.drawing, rods, budget / 4);
         break;
+      }
     }
     for (const Marker& marker : layer.drawing.markers) {
       if (shown(marker, options)) add_marker(front, marker, shared.markers, colors);
@@ -175,6 +196,14 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
   }
   behind.paint(canvas);
   front.paint(canvas);
+  through.paint(canvas, kSeenThrough);
+  for (const Layer& layer : panel.layers) {
+    for (const std::vector<Vec3>& guide : layer.guides) {
+      std::vector<Vec2> page;
+      for (const Vec3& p : guide) page.push_back(camera.project(p));
+      canvas.polyline(page, dashed);
+    }
+  }
 }
 
 std::string force_note(const MarkerScale& scale) {
@@ -206,12 +235,15 @@ Result<std::string> draw_picture(const std::vector<Panel>& panels, const Picture
   if (Status status = check(panels, options); !status) return status.error();
   Shared shared;
   gather_shape(panels, options, shared);
-  gather_colors(panels, options, shared);
+  shared.colors = color_key(panels, options.field, options.range);
+  shared.membrane_colors = color_key(panels, options.membrane_field, options.membrane_range);
 
   const ThemeColors colors = theme_colors(options.theme);
   Canvas canvas(format, options.width, options.height);
   canvas.fill(colors.page);
-  const double em = std::clamp(std::sqrt(static_cast<double>(options.width) * options.height) / 85, 7.0, 60.0);
+  const double em = std::clamp(em_of(options), 7.0, 60.0);
+  gather_marks(panels, options, em, colors, shared);
+  const bool keys = shared.colors.field != nullptr || shared.membrane_colors.field != nullptr;
   const double margin = 1.6 * em;
 
   const bool captions = std::any_of(panels.begin(), panels.end(), [](const Panel& p) { return !p.caption.empty(); });
@@ -220,7 +252,8 @@ Result<std::string> draw_picture(const std::vector<Panel>& panels, const Picture
   const std::string note = options.forces == Visibility::kShown ? force_note(shared.markers) : "";
   const bool footer = options.ruler == Visibility::kShown || options.axes == Visibility::kShown || !note.empty();
   const double footer_height = footer ? 2.6 * em : 0;
-  const double legend_width = shared.field != nullptr ? 9 * em : 0;
+  const bool marks = shared.marks.hatch > 0 || shared.marks.stroke > 0;
+  const double legend_width = keys || marks ? 9 * em : 0;
 
   const Vec2 area_corner(margin, margin + title_height);
   const Vec2 area =
@@ -245,9 +278,21 @@ Result<std::string> draw_picture(const std::vector<Panel>& panels, const Picture
                   {.size = em, .color = colors.ink, .horizontal = 0.5});
     }
   }
-  if (shared.field != nullptr) {
-    draw_legend(canvas, shared.legend, colors, Vec2(options.width - margin - legend_width + 1.5 * em, area_corner.y()),
-                Vec2(legend_width - 1.5 * em, area.y()), em);
+  if (legend_width > 0) {
+    const Vec2 corner(options.width - margin - legend_width + 1.5 * em, area_corner.y());
+    const double foot = options.axes == Visibility::kShown ? 1.4 * em : 0;  // the axes stand up into the area
+    const double marks_height =
+        draw_marks_legend(canvas, shared.marks, colors, corner + Vec2(0, area.y() - foot), em) + foot;
+    std::vector<const Legend*> legends;
+    for (const ColorKey* key : {&shared.colors, &shared.membrane_colors}) {
+      if (key->field != nullptr) legends.push_back(&key->legend);
+    }
+    const double height =
+        (area.y() - (marks ? marks_height : 0)) / static_cast<double>(std::max<size_t>(1, legends.size()));
+    for (size_t i = 0; i < legends.size(); ++i) {
+      draw_legend(canvas, *legends[i], colors, corner + Vec2(0, height * static_cast<double>(i)),
+                  Vec2(legend_width - 1.5 * em, height), em);
+    }
   }
   const Camera camera(options.view, shared.points, shared.radii, area_corner, view);
   const double base = options.height - margin;

@@ -16,12 +16,13 @@ namespace lissom {
 /// One state of the structure within a panel.
 struct Layer {
   enum class Style {
-    kSolid,   ///< true sections, shaded, coloured by the field
-    kGhost,   ///< true sections, light grey, behind everything solid
-    kDashed,  ///< dashed centrelines, behind everything solid
+    kSolid,   ///< true sections, shaded, coloured by the field; membranes as cloth
+    kGhost,   ///< true sections of the rods, light grey, behind everything solid
+    kDashed,  ///< dashed centrelines of the rods, behind everything solid
   };
   Drawing drawing;
   Style style = Style::kSolid;
+  std::vector<std::vector<Vec3>> guides = {};  ///< m, dashed lines over everything: ghost rods of a plan
 };
 
 struct Panel {
@@ -38,12 +39,16 @@ struct PictureOptions {
   std::string title = {};
   std::string field = {};                ///< name of the field that colours solid layers; empty: plain
   std::optional<ColorRange> range = {};  ///< as stored (SI); absent: fits all panels
-  int columns = 0;                       ///< of panels; 0: one row up to four panels, then as square as possible
+  std::string membrane_field = {};       ///< colours the membranes in its stead; empty: `field` does when it can
+  std::optional<ColorRange> membrane_range = {};
+  int columns = 0;  ///< of panels; 0: one row up to four panels, then as square as possible
   Visibility supports = Visibility::kShown;
   Visibility forces = Visibility::kShown;
   Visibility ruler = Visibility::kShown;
   Visibility axes = Visibility::kShown;
-  Visibility shadow = Visibility::kHidden;  ///< on the ground below the lowest point
+  Visibility slack = Visibility::kShown;     ///< hatched: cloth whose smallest stretch is below 1
+  Visibility tension = Visibility::kHidden;  ///< strokes along the largest tension of cloth
+  Visibility shadow = Visibility::kHidden;   ///< on the ground below the lowest point
 };
 
 /// Draws all panels with one camera and one scale, so that they can be compared. Rods thinner than a pixel are drawn

@@ -73,6 +73,35 @@ void draw_legend(Canvas& canvas, const Legend& legend, const ThemeColors& colors
   }
 }
 
+double draw_marks_legend(Canvas& canvas, const ClothMarks& marks, const ThemeColors& colors, const Vec2& at,
+                         double em) {
+  const TextStyle text{.size = 0.85 * em, .color = colors.faint_ink, .vertical = 0.5};
+  const double side = 1.25 * em, line = 1.9 * em;
+  double height = 0;
+  const auto explain = [&](std::string_view words) {
+    canvas.text(at + Vec2(side + 0.6 * em, -height - side / 2), std::string(words), text);
+    height += line;
+  };
+  if (marks.stroke > 0) {
+    canvas.polyline(std::array{Vec2(at.x(), at.y() - side / 2), Vec2(at.x() + side, at.y() - side / 2)},
+                    {.color = marks.ink, .width = marks.stroke / 12});
+    explain("largest tension");
+  }
+  if (marks.hatch > 0) {
+    const Vec2 corner = at - Vec2(0, height);
+    const auto inside = [&](double x, double y) { return Vec2(corner + Vec2(x, -y) * side); };
+    canvas.outline(std::array{inside(0, 0), inside(1, 0), inside(1, 1), inside(0, 1)},
+                   {.color = marks.ink, .width = 0.07 * em});
+    for (const double shift : {-0.5, 0.0, 0.5}) {
+      canvas.polyline(std::array{inside(std::max(0.0, shift), std::max(0.0, -shift)),
+                                 inside(std::min(1.0, 1 + shift), std::min(1.0, 1 - shift))},
+                      {.color = marks.ink, .width = marks.hatch / 7});
+    }
+    explain("slack cloth");
+  }
+  return height;
+}
+
 double draw_ruler(Canvas& canvas, const Camera& camera, const ThemeColors& colors, const Vec2& at, double longest,
                   double em) {
   const double length = round_below(longest / camera.scale());

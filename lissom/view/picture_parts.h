@@ -1,6 +1,7 @@
 #pragma once
 /// Parts that picture.cpp puts together.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,35 @@
 
 namespace lissom {
 
-/// How the rods of a layer get their colours.
-struct RodPaint {
+/// How the rods or the membranes of a layer get their colours.
+struct Paint {
   const Field* field = nullptr;  ///< null: plain
   ColorRange range = {};
   Color plain;
   double contrast = 1;  ///< of the shading
 };
 
+/// How rods lie on membranes, or nothing: half of a rod is above the cloth and is painted after it, half below.
+struct Bed {
+  std::vector<Vec3> normal;  ///< of the membrane, unit, per point of all rods; zero where there is none
+  double reach = 0;          ///< m, how far the depth of a piece of cloth can be judged by its middle
+};
+
 /// Faces (or lines, where rods are thin on the page) of all rods. At most about `budget` pieces: more rods, coarser.
-void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const RodPaint& paint, int budget);
+void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const Paint& paint, int budget,
+              const Bed& bed = {});
+
+/// What is drawn on cloth besides its colour. Lengths in px; 0: not drawn.
+struct ClothMarks {
+  double hatch = 0;   ///< distance of the lines on slack cloth
+  double stroke = 0;  ///< length of the strokes along the largest tension
+  double hem = 0;     ///< width of the line along edges of the cloth without rod
+  Color ink;
+};
+
+/// Pieces of all membranes, about `budget` at most; returns how rods lie on them.
+Bed add_membranes(Scene& scene, const Camera& camera, const Drawing& drawing, const Paint& paint,
+                  const ClothMarks& marks, int budget);
 
 /// Centrelines, drawn at once.
 void draw_centrelines(Canvas& canvas, const Camera& camera, const Drawing& drawing, const Stroke& stroke);
@@ -48,6 +68,17 @@ struct Legend {
   bool has_missing = false;  ///< some places have no value
   bool has_values = true;
 };
+
+/// What the field of this name in all solid layers has: nothing when `name` is empty.
+struct ColorKey {
+  const Field* field = nullptr;  ///< the first one of that name
+  ColorRange range;              ///< as stored
+  Legend legend;
+};
+ColorKey color_key(const std::vector<Panel>& panels, const std::string& name, const std::optional<ColorRange>& range);
+
+/// Explains marks on cloth below the legends; `at` is the lower left corner. Returns the height in px.
+double draw_marks_legend(Canvas& canvas, const ClothMarks& marks, const ThemeColors& colors, const Vec2& at, double em);
 
 void draw_legend(Canvas& canvas, const Legend& legend, const ThemeColors& colors, const Vec2& corner, const Vec2& size,
                  double em);

@@ -12,6 +12,7 @@ namespace {
 constexpr double kLineWidth = 2.6;      // px; thinner rods are lines
 constexpr double kThinnestLine = 0.9;   // px
 constexpr double kLongestLine = 28;     // px; longer lines would be sorted badly where rods cross
+constexpr double kSteepest = 3;         // tangent of the angle between cloth and page up to which rods are sorted by it
 constexpr double kTurnPerPiece = 0.12;  // rad, of thin rods; wide ones are cut finer
 
 using Place = std::array<double, 3>;
@@ -67,13 +68,13 @@ Cut make_cut(const RodStrip& rod, const Camera& camera, double coarseness) {
 /// Value of the field on one strip.
 class Painter {
  public:
-  Painter(const RodStrip& rod, const RodPaint& paint, size_t first_point, size_t first_edge)
+  Painter(const RodStrip& rod, const Paint& paint, size_t first_point, size_t first_edge)
       : rod_(rod),
         paint_(paint),
         first_(paint.field && paint.field->place == Field::Place::kNode ? first_point : first_edge) {}
 
   Color at(int edge, double along) const {
-    if (paint_.field == nullptr) return paint_.plain;
+    if (paint_.field == nullptr || paint_.field->place == Field::Place::kTriangle) return paint_.plain;
     const std::vector<double>& values = paint_.field->values;
     double value = values[first_ + edge];
     if (paint_.field->place == Field::Place::kNode) {
@@ -84,7 +85,7 @@ class Painter {
 
  private:
   const RodStrip& rod_;
-  const RodPaint& paint_;
+  const Paint& paint_;
   size_t first_;
 };
 
@@ -97,13 +98,39 @@ double apparent_width(const Ring& ring, const RodStrip& rod, const Vec3& along, 
   return 2 * half * camera.scale(ring.centre);
 }
 
+/// How one rod lies on cloth.
+class OnCloth {
+ public:
+  OnCloth(const Camera& camera, const Bed& bed, size_t first_point)
+      : camera_(camera), bed_(bed), first_point_(first_point) {}
+
+  /// How much nearer than it is a piece at `ring` counts (m) when its middle is `out` off the axis of the rod.
+  double nearer(const RodStrip& rod, const Ring& ring, const Vec3& out) const {
+    if (bed_.normal.empty()) return 0;
+    const Vec3& first = bed_.normal[first_point_ + ring.edge];
+    const Vec3& second = bed_.normal[first_point_ + rod.end_point(ring.edge)];
+    if (first.isZero() || second.isZero()) return 0;
+    const Vec3 eye = camera_.towards_eye(ring.centre);
+    const Vec3 normal = first * (first.dot(eye) < 0 ? -1 : 1) + second * (second.dot(eye) < 0 ? -1 : 1);
+    const double facing = normal.normalized().dot(eye);
+    const double steepness = std::min(std::sqrt(std::max(0.0, 1 - facing * facing)) / std::max(facing, 0.1), kSteepest);
+    const double shift = (std::max(ring.r_n, ring.r_b) + bed_.reach) * steepness;
+    return out.dot(normal) < 0 ? -shift : shift;
+  }
+
+ private:
+  const Camera& camera_;
+  const Bed& bed_;
+  size_t first_point_;
+};
+
 void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const std::vector<Ring>& rings,
-               const Painter& painter, double longest) {
+               const Painter& painter, double longest, const OnCloth& cloth) {
   std::vector<Vec3> run;
   Color run_color;
-  double run_width = 0, run_length = 0;
+  double run_width = 0, run_length = 0, run_nearer = 0;
   const auto flush = [&] {
-    if (run.size() > 1) scene.add_line(run, run_color, std::max(kThinnestLine, run_width));
+    if (run.size() > 1) scene.add_line(run, run_color, std::max(kThinnestLine, run_width), run_nearer);
     run.clear();
     run_length = 0;
   };
@@ -122,6 +149,7 @@ void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const st
       run = {a.centre};
       run_color = color;
       run_width = width;
+      run_nearer = cloth.nearer(rod, a, Vec3::Zero());
     }
     run.push_back(end);
     run_length += (camera.project(end) - camera.project(a.centre)).norm();
@@ -135,11 +163,14 @@ std::vector<Vec3> ring_points(const Ring& ring, const std::vector<Vec2>& outline
   return points;
 }
 
+/// `nearer(out)` as OnCloth has it.
+template <class Nearer>
 void add_band(Scene& scene, const std::vector<Vec3>& first, const std::vector<Vec3>& second, const Color& color,
-              double contrast) {
+              double contrast, const Nearer& nearer) {
   for (size_t k = 0; k < first.size(); ++k) {
     const size_t next = (k + 1) % first.size();
-    scene.add_face(std::array{first[k], first[next], second[next], second[k]}, color, contrast);
+    const std::array face{first[k], first[next], second[next], second[k]};
+    scene.add_face(face, color, contrast, nearer((face[0] + face[1] + face[2] + face[3]) / 4));
   }
 }
 
@@ -147,7 +178,8 @@ enum class End { kFlat, kRound };
 
 /// `outwards`: unit tangent leaving the rod.
 void add_end(Scene& scene, const Ring& ring, const std::vector<Vec2>& outline, const Vec3& outwards, End end,
-             const Color& color, double contrast) {
+             const Color& color, double contrast, const RodStrip& rod, const OnCloth& cloth) {
+  const auto nearer = [&](const Vec3& middle) { return cloth.nearer(rod, ring, middle - ring.centre); };
   const bool at_start = ring.b.cross(ring.n).dot(outwards) < 0;
   const double reach = std::min(ring.r_b, ring.r_n);
   const int steps = end == End::kRound ? std::max(2, static_cast<int>(outline.size()) / 6) : 0;
@@ -157,22 +189,25 @@ void add_end(Scene& scene, const Ring& ring, const std::vector<Vec2>& outline, c
     Ring cap = ring;
     cap.centre += outwards * (reach * std::sin(angle));
     std::vector<Vec3> next = ring_points(cap, outline, std::cos(angle));
-    at_start ? add_band(scene, next, previous, color, contrast) : add_band(scene, previous, next, color, contrast);
+    at_start ? add_band(scene, next, previous, color, contrast, nearer)
+             : add_band(scene, previous, next, color, contrast, nearer);
     previous = std::move(next);
   }
   if (at_start) std::reverse(previous.begin(), previous.end());
-  scene.add_face(previous, color, contrast);
+  scene.add_face(previous, color, contrast, cloth.nearer(rod, ring, Vec3::Zero()));
 }
 
 void add_tube(Scene& scene, const RodStrip& rod, const std::vector<Ring>& rings, int sides, const Painter& painter,
-              double contrast, const std::map<Place, int>& shared) {
+              double contrast, const std::map<Place, int>& shared, const OnCloth& cloth) {
   const std::vector<Vec2> outline = section_outline(rod.shape, std::max(sides, 4));
   std::vector<Vec3> previous = ring_points(rings.front(), outline);
   for (size_t i = 0; i + 1 < rings.size(); ++i) {
     const Ring& next = rings[i + 1];
     const double end = next.edge == rings[i].edge && next.along > 0 ? next.along : 1;
     std::vector<Vec3> points = ring_points(next, outline);
-    add_band(scene, previous, points, painter.at(rings[i].edge, (rings[i].along + end) / 2), contrast);
+    const Vec3 axis = (rings[i].centre + next.centre) / 2;
+    add_band(scene, previous, points, painter.at(rings[i].edge, (rings[i].along + end) / 2), contrast,
+             [&](const Vec3& middle) { return cloth.nearer(rod, rings[i], middle - axis); });
     previous = std::move(points);
   }
   if (rod.closed) return;
@@ -181,13 +216,16 @@ void add_tube(Scene& scene, const RodStrip& rod, const std::vector<Ring>& rings,
   };
   const Ring& first = rings.front();
   const Ring& last = rings.back();
-  add_end(scene, first, outline, -first.b.cross(first.n), end_kind(first.centre), painter.at(0, 0), contrast);
-  add_end(scene, last, outline, last.b.cross(last.n), end_kind(last.centre), painter.at(last.edge, 1), contrast);
+  add_end(scene, first, outline, -first.b.cross(first.n), end_kind(first.centre), painter.at(0, 0), contrast, rod,
+          cloth);
+  add_end(scene, last, outline, last.b.cross(last.n), end_kind(last.centre), painter.at(last.edge, 1), contrast, rod,
+          cloth);
 }
 
 }  // namespace
 
-void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const RodPaint& paint, int budget) {
+void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const Paint& paint, int budget,
+              const Bed& bed) {
   std::vector<Cut> cuts;
   double coarseness = 1;
   for (int attempt = 0; attempt < 8; ++attempt) {
@@ -209,10 +247,11 @@ void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const 
     const RodStrip& rod = drawing.rods[i];
     const std::vector<Ring> rings = tube_rings(rod, cuts[i].pieces);
     const Painter painter(rod, paint, first_point, first_edge);
+    const OnCloth cloth(camera, bed, first_point);
     if (cuts[i].sides > 0) {
-      add_tube(scene, rod, rings, cuts[i].sides, painter, paint.contrast, shared);
+      add_tube(scene, rod, rings, cuts[i].sides, painter, paint.contrast, shared, cloth);
     } else {
-      add_lines(scene, camera, rod, rings, painter, coarseness * kLongestLine);
+      add_lines(scene, camera, rod, rings, painter, coarseness * kLongestLine, cloth);
     }
     first_point += rod.points.size();
     first_edge += rod.b.size();

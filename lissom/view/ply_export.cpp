@@ -16,11 +16,12 @@ Result<std::string> ply_surfaces(const Drawing& drawing, const PlyOptions& optio
   std::vector<double> values;
   ColorRange range;
   if (field != nullptr) {
-    values = field->place == Field::Place::kEdge ? edge_values_at_points(drawing, field->values) : field->values;
+    values = values_at_points(drawing, *field);
     range = options.range ? *options.range : ColorRange::fitting(field->colors, field->values);
   }
-  const SurfaceMesh mesh = rod_surfaces(drawing, options.sides);
-  std::string text = "ply\nformat ascii 1.0\ncomment surfaces of rods, millimetres\n";
+  const SurfaceMesh mesh = all_surfaces(drawing, options.sides);
+  std::string text = "ply\nformat ascii 1.0\ncomment surfaces of rods";
+  text += drawing.membranes.empty() ? ", millimetres\n" : ", and membranes, millimetres\n";
   if (field != nullptr) text += "comment colours: " + printable(field->name) + "\n";
   text +=
       fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n", mesh.vertices.size());

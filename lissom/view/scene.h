@@ -18,14 +18,19 @@ class Scene {
   Scene(const Camera& camera, double ground, const Color& color) : camera_(camera), ground_(ground), shade_(color) {}
 
   /// A flat face (counter-clockwise seen from outside), m. Dropped when it faces away. `contrast` 1: full shading.
-  void add_face(std::span<const Vec3> points, const Color& color, double contrast = 1);
+  /// `nearer` (m) moves it towards the eye, in the order of painting only.
+  void add_face(std::span<const Vec3> points, const Color& color, double contrast = 1, double nearer = 0);
+
+  /// A flat piece of something thin, seen from both sides. Light falls as on a surface with this unit normal.
+  void add_cloth(std::span<const Vec3> points, const Color& color, const Vec3& normal, double contrast = 1);
 
   /// A line of constant page width (px) through points in space.
-  void add_line(std::span<const Vec3> points, const Color& color, double width);
+  void add_line(std::span<const Vec3> points, const Color& color, double width, double nearer = 0);
 
-  void paint(Canvas& canvas) const;
+  /// A line between two points of the page (px), in the order of painting at `depth` (m).
+  void add_mark(const Vec2& from, const Vec2& to, double depth, const Color& color, double width);
 
-  size_t size() const { return pieces_.size(); }
+  void paint(Canvas& canvas, double opacity = 1) const;
 
  private:
   struct Piece {
@@ -34,9 +39,11 @@ class Scene {
     int count;
     Color color;
     double width;  // px; 0: face
+    double seam;   // px, by which faces are wider than they are
   };
 
-  Color lit(const Color& color, const Vec3& normal, double contrast) const;
+  enum class Gloss { kPlastic, kCloth };
+  Color lit(const Color& color, const Vec3& normal, double contrast, Gloss gloss) const;
 
   Vec3 placed(const Vec3& point) const;
 

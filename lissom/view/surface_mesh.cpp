@@ -130,4 +130,20 @@ SurfaceMesh rod_surfaces(const Drawing& drawing, int sides) {
   return mesh;
 }
 
+SurfaceMesh all_surfaces(const Drawing& drawing, int sides) {
+  SurfaceMesh mesh = rod_surfaces(drawing, sides);
+  int first_point = drawing.rod_point_count();
+  for (const MembraneSheet& sheet : drawing.membranes) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.first_triangle.push_back(static_cast<int>(mesh.triangles.size()));
+    for (const Vec3& p : sheet.points) {
+      mesh.vertices.push_back(p);
+      mesh.source.push_back(first_point++);
+    }
+    for (const std::array<int, 3>& t : sheet.triangles)
+      mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return mesh;
+}
+
 }  // namespace lissom

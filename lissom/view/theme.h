@@ -8,7 +8,7 @@ namespace lissom {
 enum class Theme { kLight, kDark };
 
 struct ThemeColors {
-  Color page, ink, faint_ink, rule, rod, ghost, shadow, support, force;
+  Color page, ink, faint_ink, rule, rod, ghost, shadow, support, force, fabric;
 };
 
 constexpr ThemeColors theme_colors(Theme theme) {
@@ -21,7 +21,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
             .ghost = {0.30, 0.33, 0.37},
             .shadow = {0.045, 0.052, 0.065},
             .support = {0.72, 0.74, 0.77},
-            .force = {0.96, 0.68, 0.25}};
+            .force = {0.96, 0.68, 0.25},
+            .fabric = {0.80, 0.76, 0.70}};
   }
   return {.page = {1, 1, 1},
           .ink = {0.11, 0.13, 0.16},
@@ -31,7 +32,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
           .ghost = {0.82, 0.84, 0.87},
           .shadow = {0.90, 0.91, 0.925},
           .support = {0.45, 0.48, 0.52},
-          .force = {0.80, 0.40, 0.05}};
+          .force = {0.80, 0.40, 0.05},
+          .fabric = {0.975, 0.945, 0.89}};
 }
 
 }  // namespace lissom

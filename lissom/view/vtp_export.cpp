@@ -27,24 +27,37 @@ Result<std::string> vtp_bytes(const Drawing& drawing, std::optional<double> time
     line_rod.push_back(static_cast<int64_t>(r));
   }
 
+  const size_t rod_points = points.size();
+  std::vector<int64_t> corners, corner_offsets;
+  for (const MembraneSheet& sheet : drawing.membranes) {
+    const int64_t first = static_cast<int64_t>(points.size());
+    points.insert(points.end(), sheet.points.begin(), sheet.points.end());
+    for (const std::array<int, 3>& triangle : sheet.triangles) {
+      for (int i : triangle) corners.push_back(first + i);
+      corner_offsets.push_back(static_cast<int64_t>(corners.size()));
+    }
+  }
+  const size_t triangles = corner_offsets.size(), cells = offsets.size() + triangles;
+  b.resize(points.size(), Vec3::Zero());
+  n.resize(points.size(), Vec3::Zero());
+
   VtkWriter vtk("PolyData", time);
   vtk.open("Piece", fmt::format("NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
-                                "NumberOfPolys=\"0\"",
-                                points.size(), offsets.size()));
+                                "NumberOfPolys=\"{}\"",
+                                points.size(), offsets.size(), triangles));
   vtk.open("PointData");
-  vtk.array("rod", point_rod);
-  vtk.array("radius (m)", edge_values_at_points(drawing, equal_area_radius(drawing)));
-  vtk.array("r_n (m)", edge_values_at_points(drawing, half_extent_n(drawing)));
-  vtk.array("r_b (m)", edge_values_at_points(drawing, half_extent_b(drawing)));
+  vtk.array("rod", padded(point_rod, points.size()));
+  if (triangles > 0) vtk.array("membrane", membrane_numbers(drawing, rod_points, &MembraneSheet::points));
+  vtk.array("radius (m)", padded(edge_values_at_points(drawing, equal_area_radius(drawing)), points.size()));
+  vtk.array("r_n (m)", padded(edge_values_at_points(drawing, half_extent_n(drawing)), points.size()));
+  vtk.array("r_b (m)", padded(edge_values_at_points(drawing, half_extent_b(drawing)), points.size()));
   vtk.array("b", b);
   vtk.array("n", n);
-  for (const Field& field : drawing.fields) {
-    const bool on_edges = field.place == Field::Place::kEdge;
-    vtk.array(array_name(field), on_edges ? edge_values_at_points(drawing, field.values) : field.values);
-  }
+  for (const Field& field : drawing.fields) vtk.array(array_name(field), values_at_points(drawing, field));
   vtk.close("PointData");
   vtk.open("CellData");
-  vtk.array("rod", line_rod);
+  vtk.array("rod", padded(line_rod, cells));
+  if (triangles > 0) vtk.array("membrane", membrane_numbers(drawing, line_rod.size(), &MembraneSheet::triangles));
   vtk.close("CellData");
   vtk.open("Points");
   vtk.array("Points", points);
@@ -53,6 +66,12 @@ Result<std::string> vtp_bytes(const Drawing& drawing, std::optional<double> time
   vtk.array("connectivity", connectivity);
   vtk.array("offsets", offsets);
   vtk.close("Lines");
+  if (triangles > 0) {
+    vtk.open("Polys");
+    vtk.array("connectivity", corners);
+    vtk.array("offsets", corner_offsets);
+    vtk.close("Polys");
+  }
   vtk.close("Piece");
   return vtk.finish();
 }

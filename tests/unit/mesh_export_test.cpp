@@ -147,6 +147,34 @@ TEST(MeshExport, ObjSurfacesHaveOneObjectPerRod) {
   EXPECT_EQ(text, obj_surfaces(samples::beam_and_ring(), 8).value());
 }
 
+TEST(MeshExport, MembranesFollowTheRods) {
+  Drawing drawing = samples::saddle(1, 5);
+  const std::string lines = obj_centrelines(drawing).value();
+  EXPECT_NE(lines.find("o frame\nv "), std::string::npos);
+  EXPECT_NE(lines.find("l 1 2 3 4 1\no sail\nf 1 2 3\nf 1 3 4\n"), std::string::npos) << lines;
+  const std::string surfaces = obj_surfaces(drawing, 4).value();
+  EXPECT_NE(surfaces.find("o sail\nf 17 18 20\nf 17 20 19\n"), std::string::npos) << surfaces;
+  drawing.fields = {samples::triangle_field("tension", {1, 2})};
+  const std::string ply = ply_surfaces(drawing, {.sides = 4, .field = "tension"}).value();
+  EXPECT_NE(ply.find("element vertex 20\n"), std::string::npos);
+  EXPECT_NE(ply.find("element face 34\n"), std::string::npos);
+  // One corner has the value of one triangle only, two have the mean; rods have none.
+  const auto tail = [](const Color& color) {
+    const auto bytes = to_bytes(color);
+    return " " + std::to_string(bytes[0]) + " " + std::to_string(bytes[1]) + " " + std::to_string(bytes[2]) + "\n";
+  };
+  const auto lines_with = [&](const Color& color) {
+    size_t n = 0;
+    const std::string end = tail(color);
+    for (size_t at = ply.find(end); at != std::string::npos; at = ply.find(end, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(lines_with(map_color(Field::Colors::kSequential, 0)), 1u);
+  EXPECT_EQ(lines_with(map_color(Field::Colors::kSequential, 1)), 1u);
+  EXPECT_EQ(lines_with(map_color(Field::Colors::kSequential, 0.5)), 2u);
+  EXPECT_EQ(lines_with(kNoValueColor), 16u);
+}
+
 TEST(MeshExport, RefusesWhatCannotBe) {
   Drawing drawing = samples::beam_and_ring();
   EXPECT_EQ(obj_surfaces(drawing, 7).error().where, "sides");

@@ -72,4 +72,45 @@ inline Drawing beam_and_ring() {
   return drawing;
 }
 
+/// Square sheet of side 0.1 m in cells x cells squares of two triangles, bent into a saddle z = bend (x^2 - y^2), on a
+/// rod along its edge that shares its points. bend in 1/m.
+inline Drawing saddle(int cells, double bend, double r = 0.001) {
+  MembraneSheet sheet;
+  sheet.name = "sail";
+  const auto at = [&](int i, int j) {
+    const double x = 0.1 * i / cells - 0.05, y = 0.1 * j / cells - 0.05;
+    return Vec3(x, y, bend * (x * x - y * y));
+  };
+  const auto index = [&](int i, int j) { return j * (cells + 1) + i; };
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i) sheet.points.push_back(at(i, j));
+  }
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      sheet.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+      sheet.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  }
+  std::vector<Vec3> edge;
+  for (int k = 0; k < cells; ++k) edge.push_back(at(k, 0));
+  for (int k = 0; k < cells; ++k) edge.push_back(at(cells, k));
+  for (int k = cells; k > 0; --k) edge.push_back(at(k, cells));
+  for (int k = cells; k > 0; --k) edge.push_back(at(0, k));
+  Drawing drawing;
+  drawing.rods = {strip("frame", edge, r, r, SectionShape::kEllipse, true)};
+  drawing.membranes = {sheet};
+  return drawing;
+}
+
+/// One value per triangle.
+inline Field triangle_field(std::string name, std::vector<double> values) {
+  return {.name = std::move(name),
+          .unit = "N/m",
+          .display_unit = "N/m",
+          .display_scale = 1,
+          .place = Field::Place::kTriangle,
+          .colors = Field::Colors::kSequential,
+          .values = std::move(values)};
+}
+
 }  // namespace lissom::samples

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <sstream>
 
 #include "lissom/view/vtk_writer.h"
@@ -24,10 +25,10 @@ if path.endswith('.vtu'):
     import meshio
     mesh = meshio.read(path)
     found['points coordinates'] = mesh.points.ravel()
-    assert [c.type for c in mesh.cells] == ['line'], mesh.cells
-    found['cells connectivity'] = mesh.cells[0].data.ravel()
+    assert [c.type for c in mesh.cells] in (['line'], ['line', 'triangle'], ['triangle']), mesh.cells
+    found['cells connectivity'] = [i for c in mesh.cells for i in c.data.ravel()]
     found.update({'point ' + k: v.ravel() for k, v in mesh.point_data.items()})
-    found.update({'cell ' + k: v[0].ravel() for k, v in mesh.cell_data.items()})
+    found.update({'cell ' + k: [x for block in v for x in block.ravel()] for k, v in mesh.cell_data.items()})
 else:
     root = xml.parse(path).getroot()
     assert root.get('type') == 'PolyData' and root.get('header_type') == 'UInt64'
@@ -42,6 +43,8 @@ else:
     assert len(found['points coordinates']) == 3 * int(piece.get('NumberOfPoints'))
     for array in piece.findall('Lines/DataArray'):
         found['cells ' + array.get('Name')] = values(array)
+    for array in piece.findall('Polys/DataArray'):
+        found['polygons ' + array.get('Name')] = values(array)
     for array in piece.findall('PointData/DataArray'):
         found['point ' + array.get('Name')] = values(array)
 checked = 0
@@ -148,6 +151,55 @@ TEST(VtkExport, VtpComesBackEqual) {
   file.expect("point", "bending_<moment>_(N_m)", drawing.fields[1].values);
   file.expect("point", "axial_force_(N)", edge_values_at_points(drawing, drawing.fields[0].values));
   EXPECT_EQ(file.compare(), "compared 57\n");
+}
+
+/// Two squares of cloth on a closed rod, with a value per triangle, per point and per edge, and tensions.
+Drawing sail() {
+  Drawing drawing = samples::saddle(1, 5);
+  drawing.membranes[0].tension = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
+  drawing.fields = {samples::triangle_field("tension", {1.0 / 3, std::nan("")}),
+                    samples::edge_field("axial force", {1, 2, 3, 4}),
+                    {.name = "displacement",
+                     .unit = "m",
+                     .display_unit = "mm",
+                     .place = Field::Place::kNode,
+                     .values = {1, 2, 3, 4, 0.1, 0.2, 0.3, 0.4}}};
+  return drawing;
+}
+
+std::vector<double> all_coordinates(const Drawing& drawing) {
+  std::vector<double> flat = coordinates(drawing);
+  for (const Vec3& p : drawing.membranes[0].points) flat.insert(flat.end(), {p.x(), p.y(), p.z()});
+  return flat;
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TEST(VtkExport, VtuHasMembranesAfterTheRods) {
+  const Drawing drawing = sail();
+  VtkFile file("sail.vtu", vtu_bytes(drawing).value());
+  file.expect("points", "coordinates", all_coordinates(drawing));
+  file.expect("cells", "connectivity", {0, 1, 1, 2, 2, 3, 3, 0, 4, 5, 7, 4, 7, 6});
+  file.expect("cell", "tension_(N/m)", {kNone, kNone, kNone, kNone, 1.0 / 3, kNone});
+  file.expect("cell", "axial_force_(N)", {1, 2, 3, 4, kNone, kNone});
+  file.expect("cell", "rod", {0, 0, 0, 0, -1, -1});
+  file.expect("cell", "membrane", {-1, -1, -1, -1, 0, 0});
+  file.expect("cell", "largest_tension_vector_(N/m)", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 5, 6});
+  file.expect("point", "displacement_(m)", drawing.fields[2].values);
+  EXPECT_EQ(file.compare(), "compared 88\n");
+}
+
+TEST(VtkExport, VtpHasMembranesAsPolygons) {
+  const Drawing drawing = sail();
+  VtkFile file("sail.vtp", vtp_bytes(drawing).value());
+  file.expect("points", "coordinates", all_coordinates(drawing));
+  file.expect("cells", "connectivity", {0, 1, 2, 3, 0});
+  file.expect("polygons", "connectivity", {4, 5, 7, 4, 7, 6});
+  file.expect("polygons", "offsets", {3, 6});
+  file.expect("point", "tension_(N/m)", {kNone, kNone, kNone, kNone, 1.0 / 3, 1.0 / 3, kNone, 1.0 / 3});
+  file.expect("point", "membrane", {-1, -1, -1, -1, 0, 0, 0, 0});
+  file.expect("point", "displacement_(m)", drawing.fields[2].values);
+  EXPECT_EQ(file.compare(), "compared 61\n");
 }
 
 TEST(VtkExport, EdgeMeansSkipMissingValues) {
