@@ -40,6 +40,9 @@ void add_solver_options(CLI::App& command, SolveOptions& options) {
          "Balance rolls and joint rotations inside each trial step [off]");
   choice("--rods", options.rods, std::map<std::string, Relaxation>{{"off", Relaxation::kOff}, {"on", Relaxation::kOn}},
          "Balance the rods of membranes inside each trial step [on]");
+  choice("--reuse", options.reuse,
+         std::map<std::string, FactorReuse>{{"off", FactorReuse::kOff}, {"on", FactorReuse::kOn}},
+         "Solve steps with the factor of an earlier one where that is cheaper; of membranes [on]");
   choice("--at-saddle", options.at_saddle,
          std::map<std::string, AtSaddle>{{"escape", AtSaddle::kEscape}, {"stay", AtSaddle::kStay}},
          "Leave an unstable equilibrium, or stay there and report it [escape]");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace lissom {
@@ -29,21 +28,29 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
   }
   if (!useful()) return;
   // Local axes mix three unknowns: what touches one of them touches all.
-  std::vector<bool> touched = takes_part;
+  touched_ = takes_part;
   for (const LocalAxes& axes : whole.local_axes()) {
     const bool any = takes_part[axes.first_dof] || takes_part[axes.first_dof + 1] || takes_part[axes.first_dof + 2];
-    for (int i = 0; i < 3; ++i) touched[axes.first_dof + i] = any;
+    for (int i = 0; i < 3; ++i) touched_[axes.first_dof + i] = any;
   }
-  std::vector<std::unique_ptr<EnergyTerm>> terms;
-  for (const auto& term : whole.terms()) {
-    std::unique_ptr<EnergyTerm> part = term->touching(touched);
-    if (part->stencils() > 0) terms.push_back(std::move(part));
-  }
-  potential_.emplace(whole.dofs(), std::move(terms),
+  potential_.emplace(whole.dofs(), touching_terms(),
                      std::vector<LocalAxes>(whole.local_axes().begin(), whole.local_axes().end()));
   factor_.emplace(potential_->pattern(), kept_);
   g_.resize(unknowns_);
   metric_.resize(unknowns_);
+}
+
+std::vector<std::unique_ptr<EnergyTerm>> BlockRelaxer::touching_terms() const {
+  std::vector<std::unique_ptr<EnergyTerm>> terms;
+  for (const auto& term : workspace_.problem().potential.terms()) {
+    std::unique_ptr<EnergyTerm> part = term->touching(touched_);
+    if (part->stencils() > 0) terms.push_back(std::move(part));
+  }
+  return terms;
+}
+
+void BlockRelaxer::renew_terms() {
+  if (potential_) potential_->replace_terms(touching_terms());
 }
 
 bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance) {

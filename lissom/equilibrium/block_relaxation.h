@@ -3,6 +3,7 @@
 /// inside a trial step so that the energies of trials are not spoiled by what is stiff and local [convergence 4, F and B;
 /// section 3]. Only stencils that touch the part are assembled.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,17 +20,22 @@ class BlockRelaxer {
   /// Whether there is anything to relax, and anything that is held.
   bool useful() const { return unknowns_ > 0 && unknowns_ < movable_; }
 
+  /// To be called when the terms of the whole potential were replaced.
+  void renew_terms();
+
   /// At most `steps` Newton steps with H + shift * metric, none of which raises the energy. Stops early where the small
   /// matrix is not positive definite or the residual is below `tolerance` (N). False when nothing was changed.
   bool relax(State& state, int steps, double shift, double tolerance);
 
  private:
   bool descend(State& state, double slope);
+  std::vector<std::unique_ptr<EnergyTerm>> touching_terms() const;
 
   NewtonWorkspace& workspace_;
   std::vector<int> kept_;
   int unknowns_ = 0, positions_ = 0;  // of the part; the positions come first
   int movable_ = 0;                   // of the whole
+  std::vector<bool> touched_;
   std::optional<Potential> potential_;
   std::optional<LinearSolver> factor_;
   AssemblyBuffers buffers_;

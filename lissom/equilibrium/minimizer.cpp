@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lissom/equilibrium/block_relaxation.h"
+#include "lissom/equilibrium/conjugate_gradients.h"
 #include "lissom/equilibrium/shift.h"
 #include "lissom/equilibrium/step_limits.h"
 #include "lissom/equilibrium/step_path.h"
@@ -17,40 +18,31 @@ constexpr double kArmijo = 1e-4;
 constexpr double kEnergyNoise = 1e-13;  // of the energy: differences below it are rounding
 constexpr double kSmallestStep = 1e-7;
 constexpr int kFirstRelaxation = 8;
+constexpr double kCgTolerance = 1e-2;  // of a step by conjugate gradients, in the norm of the preconditioner
+constexpr int kCgIterations = 16;      // cost about as much as one factorisation
+constexpr double kReuseTurn = 0.05;    // rad; after larger steps a factor is not worth trying
 constexpr double kRunawaySizes = 1e4;
 
-class Minimization {
- public:
-  Minimization(NewtonWorkspace& workspace, State& state, const SolveOptions& options)
-      : workspace_(workspace), options_(options), path_(workspace, options.path), shift_(options.shift), state_(state) {
-    if (options.frames == Relaxation::kOn) {
-      frames_.emplace(workspace, frame_unknowns(workspace.system()), path_.drift().can_move());
-    }
-    if (options.rods == Relaxation::kOn && !workspace.system().structure.triangles.empty()) {
-      rods_.emplace(workspace, rod_unknowns(workspace.system()), path_.drift().can_move());
-    }
+}  // namespace
+
+Minimizer::Minimizer(NewtonWorkspace& workspace, const SolveOptions& options)
+    : workspace_(workspace), options_(options), path_(workspace, options.path), shift_(options.shift) {
+  if (options.frames == Relaxation::kOn) {
+    frames_.emplace(workspace, frame_unknowns(workspace.system()), path_.drift().can_move());
   }
+  const bool membranes = !workspace.system().structure.triangles.empty();
+  if (options.rods == Relaxation::kOn && membranes) {
+    rods_.emplace(workspace, rod_unknowns(workspace.system()), path_.drift().can_move());
+  }
+  reuse_ = options.reuse == FactorReuse::kOn && membranes;
+}
 
-  Descent run(double tolerance, int max_iterations, std::vector<IterationRecord>& records);
+void Minimizer::renew_terms() {
+  if (frames_) frames_->renew_terms();
+  if (rods_) rods_->renew_terms();
+}
 
- private:
-  double try_at(double a);
-  bool line_search(double slope, double curvature, double reach);
-  void expand(double slope, double turn, double roll);
-
-  NewtonWorkspace& workspace_;
-  const SolveOptions& options_;
-  StepPathPolicy path_;
-  ShiftPolicy shift_;
-  std::optional<BlockRelaxer> frames_, rods_;
-  State& state_;
-  State trial_, best_;
-  VecX free_, step_, image_;
-  double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
-  bool first_trial_ = false;
-};
-
-double Minimization::try_at(double a) {
+double Minimizer::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
   if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
   if (rods_) rods_->relax(trial_, 2, shift_.shift(), tolerance_);
@@ -58,7 +50,7 @@ double Minimization::try_at(double a) {
   return std::isfinite(v) ? v : INFINITY;
 }
 
-bool Minimization::line_search(double slope, double curvature, double reach) {
+bool Minimizer::line_search(double slope, double curvature, double reach) {
   double a = reach;
   first_trial_ = true;
   while (a > kSmallestStep) {
@@ -80,7 +72,7 @@ bool Minimization::line_search(double slope, double curvature, double reach) {
   return false;
 }
 
-void Minimization::expand(double slope, double turn, double roll) {
+void Minimizer::expand(double slope, double turn, double roll) {
   for (int k = 0; k < 6; ++k) {
     double next = 2 * taken_;
     const double excess = trial_energy_ - energy_ - slope * taken_;
@@ -100,19 +92,44 @@ void Minimization::expand(double slope, double turn, double roll) {
   }
 }
 
-Descent Minimization::run(double tolerance, int max_iterations, std::vector<IterationRecord>& records) {
-  Descent result;
-  tolerance_ = tolerance;
-  if (rods_) {
-    workspace_.assemble(state_);  // for the metric
-    rods_->relax(state_, kFirstRelaxation, 0, tolerance_);
+bool Minimizer::newton_step() {
+  free_ = -workspace_.free_gradient();
+  if (predict_) {
+    predict_ = own_factor_ = false;
+    workspace_.factor().solve(free_, free_);
+    return true;
   }
-  energy_ = workspace_.energy(state_);
+  if (stale_) {
+    own_factor_ = false;
+    image_ = free_;
+    int iterations = 0;
+    const CgEnd end = conjugate_gradients(workspace_, image_, kCgTolerance, kCgIterations, free_, iterations);
+    if (end == CgEnd::kConverged) return true;
+    free_ = -workspace_.free_gradient();
+  }
+  own_factor_ = true;
+  if (!shift_.factorize(workspace_)) return false;
+  workspace_.factor().solve(free_, free_);
+  return true;
+}
+
+Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
+                       FirstStep first) {
+  Descent result;
+  state_ = &state;
+  tolerance_ = tolerance;
+  predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
+  stale_ = reuse_ && workspace_.has_plain_factor();
+  if (rods_ && !predict_) {
+    workspace_.assemble(state);  // for the metric
+    rods_->relax(state, kFirstRelaxation, 0, tolerance_);
+  }
+  energy_ = workspace_.energy(*state_);
   if (!std::isfinite(energy_)) return result;
   int without_progress = 0;
   double last_residual = INFINITY, least_residual = INFINITY;
   for (;; ++result.iterations) {
-    workspace_.assemble(state_);
+    workspace_.assemble(*state_);
     result.residual = workspace_.residual();
     if (!std::isfinite(result.residual)) return result;
     if (result.residual <= tolerance) {
@@ -133,23 +150,25 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
       return result;
     }
     last_residual = result.residual;
-    if (!shift_.factorize(workspace_)) {
+    if (!newton_step()) {
       result.verdict = Verdict::kStalled;
       return result;
     }
-    free_ = -workspace_.free_gradient();
-    workspace_.factor().solve(free_, free_);
     const double slope = workspace_.free_gradient().dot(free_);
     workspace_.multiply_free(free_, image_);
     const double curvature = free_.dot(image_);
     workspace_.to_increment(free_, step_);
-    path_.drift().remove(state_, step_);
-    const double reach = step_reach(workspace_.system(), state_, step_, options_);
-    path_.begin(state_, step_, reach);
+    path_.drift().remove(*state_, step_);
+    const double reach = step_reach(workspace_.system(), *state_, step_, options_);
+    path_.begin(*state_, step_, reach, own_factor_);
     const bool moved = line_search(slope, curvature, reach);
     if (!moved) {
       // Near the end energies no longer tell steps apart: the full Newton step counts if it lowers the forces.
       const double residual = result.residual;
+      if (!own_factor_) {  // the old factor misled: the next step gets its own
+        stale_ = false;
+        continue;
+      }
       bool polished = false;
       if (shift_.shift() == 0 && path_.at(reach, trial_)) {
         workspace_.gradient(trial_, image_);
@@ -164,15 +183,16 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
       trial_energy_ = workspace_.energy(trial_);
       taken_ = reach;
     }
-    const double turn = largest_turn(workspace_.system(), state_, step_);
+    const double turn = largest_turn(workspace_.system(), *state_, step_);
     if (moved && first_trial_ && shift_.shift() > 0 && options_.expansion == Expansion::kOn) {
       expand(slope, turn, largest_roll(workspace_.system(), step_));
     }
-    shift_.learn(workspace_);
-    std::swap(state_, trial_);
+    if (own_factor_) shift_.learn(workspace_);
+    stale_ = reuse_ && workspace_.has_plain_factor() && taken_ * turn < kReuseTurn;
+    std::swap(*state_, trial_);
     const double before = energy_;
     energy_ = trial_energy_;
-    records.push_back({static_cast<int>(records.size()), state_.load_factor, energy_, result.residual, shift_.shift(),
+    records.push_back({static_cast<int>(records.size()), state_->load_factor, energy_, result.residual, shift_.shift(),
                        taken_, taken_ * turn, workspace_.factorizations()});
     workspace_.context().report({"solve", -1, static_cast<int>(records.size()), result.residual, "minimising energy"});
     // Rounding in the energy can hide a cycle: stop when neither energy nor residual improves for a while.
@@ -186,8 +206,8 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
       return result;
     }
     const double size = workspace_.problem().scales.length;
-    if ((state_.position(0) - workspace_.system().structure.nodes[0]).norm() > kRunawaySizes * size ||
-        state_.q.head(3 * workspace_.system().layout.nodes()).cwiseAbs().maxCoeff() >
+    if ((state_->position(0) - workspace_.system().structure.nodes[0]).norm() > kRunawaySizes * size ||
+        state_->q.head(3 * workspace_.system().layout.nodes()).cwiseAbs().maxCoeff() >
             2 * kRunawaySizes * size + 1e6 * size) {
       result.verdict = Verdict::kRunaway;
       return result;
@@ -195,11 +215,9 @@ Descent Minimization::run(double tolerance, int max_iterations, std::vector<Iter
   }
 }
 
-}  // namespace
-
 Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
                  int max_iterations, std::vector<IterationRecord>& records) {
-  return Minimization(workspace, state, options).run(tolerance, max_iterations, records);
+  return Minimizer(workspace, options).run(state, tolerance, max_iterations, records);
 }
 
 }  // namespace lissom

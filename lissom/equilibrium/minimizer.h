@@ -1,9 +1,14 @@
 #pragma once
 /// Energy minimisation by Newton's method with exact Hessians [mathematics 4; convergence 4].
 
+#include <optional>
+
+#include "lissom/equilibrium/block_relaxation.h"
 #include "lissom/equilibrium/equilibrium.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/options.h"
+#include "lissom/equilibrium/shift.h"
+#include "lissom/equilibrium/step_path.h"
 
 namespace lissom {
 
@@ -14,7 +19,47 @@ struct Descent {
   double residual = 0;  ///< N
 };
 
-/// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N).
+/// Where the first step of a minimisation comes from.
+enum class FirstStep {
+  kNewton,
+  kFactorAtHand,  ///< from the factor that the workspace holds: first-order prediction after a change of rest numbers
+};
+
+/// Lowers energies again and again with the same buffers, patterns and symbolic factors.
+class Minimizer {
+ public:
+  Minimizer(NewtonWorkspace& workspace, const SolveOptions& options);
+
+  /// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N).
+  Descent run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
+              FirstStep first = FirstStep::kNewton);
+
+  /// To be called when the terms of the potential were replaced.
+  void renew_terms();
+
+ private:
+  bool newton_step();
+  double try_at(double a);
+  bool line_search(double slope, double curvature, double reach);
+  void expand(double slope, double turn, double roll);
+
+  NewtonWorkspace& workspace_;
+  SolveOptions options_;
+  StepPathPolicy path_;
+  ShiftPolicy shift_;
+  std::optional<BlockRelaxer> frames_, rods_;
+  State* state_ = nullptr;
+  State trial_, best_;
+  VecX free_, step_, image_;
+  double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
+  bool first_trial_ = false;
+  bool reuse_ = false;      // factors may serve for later states
+  bool stale_ = false;      // the one in the workspace is to be tried
+  bool predict_ = false;    // the next step is a prediction
+  bool own_factor_ = true;  // the present step has its own
+};
+
+/// The same once.
 Descent minimize(NewtonWorkspace& workspace, State& state, double tolerance, const SolveOptions& options,
                  int max_iterations, std::vector<IterationRecord>& records);
 

@@ -47,7 +47,9 @@ FactorReport NewtonWorkspace::factorize(double shift) {
 
 FactorReport NewtonWorkspace::factorize_with(double shift, std::span<const double> diagonal) {
   ++factorizations_;
-  return factor_.factorize(hessian_, shift, diagonal);
+  const FactorReport report = factor_.factorize(hessian_, shift, diagonal);
+  plain_factor_ = report.positive_definite && shift == 0;
+  return report;
 }
 
 void NewtonWorkspace::multiply_free(const VecX& x, VecX& y) {

@@ -37,6 +37,8 @@ class NewtonWorkspace {
 
   /// Factorises the last Hessian + shift * metric.
   FactorReport factorize(double shift);
+  /// Whether the last factor was that of a positive definite Hessian without shift, of this or an earlier state.
+  bool has_plain_factor() const { return plain_factor_; }
   /// The same with another diagonal, one entry per free unknown.
   FactorReport factorize_with(double shift, std::span<const double> diagonal);
 
@@ -61,6 +63,7 @@ class NewtonWorkspace {
   std::array<int, 3> class_size_{};  // free positions, rolls, joint rotations
   std::array<double, 3> class_mean_{1, 1, 1};
   int factorizations_ = 0;
+  bool plain_factor_ = false;
 };
 
 }  // namespace lissom

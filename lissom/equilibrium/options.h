@@ -26,6 +26,12 @@ enum class ShiftRule {
 enum class Expansion { kOff, kOn };   ///< try longer steps while a shift is active (X)
 enum class Relaxation { kOff, kOn };  ///< balance a part of the unknowns inside each trial
 
+/// What becomes of a factor once the state has moved on.
+enum class FactorReuse {
+  kOff,  ///< every step has its own
+  kOn,   ///< steps are solved by conjugate gradients on the old one while that is cheaper [convergence 5]
+};
+
 /// What to do in an equilibrium that is not stable.
 enum class AtSaddle {
   kEscape,  ///< move along the lowest mode, to the side of lower energy
@@ -42,6 +48,7 @@ struct SolveOptions {
   Relaxation frames = Relaxation::kOff;  ///< rolls and joint rotations (F)
   Relaxation rods =
       Relaxation::kOn;  ///< all of the rods, the rest of the membranes held (B); where there are membranes
+  FactorReuse reuse = FactorReuse::kOn;  ///< where there are membranes
   AtSaddle at_saddle = AtSaddle::kEscape;
   double max_turn = 0.7;  ///< rad, largest turn of an edge in one step
   double max_roll = 0.5;  ///< rad, largest change of a roll or joint rotation in one step

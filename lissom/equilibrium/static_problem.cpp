@@ -77,7 +77,52 @@ VecX make_mode_metric(const System& system, const Supports& supports) {
   return free;
 }
 
+bool same_topology(const Structure& a, const Structure& b) {
+  const auto equal = [](const auto& x, const auto& y, const auto& same) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), same);
+  };
+  return a.nodes.size() == b.nodes.size() &&
+         equal(
+             a.edges, b.edges,
+             [](const StructureEdge& x, const StructureEdge& y) { return x.node0 == y.node0 && x.node1 == y.node1; }) &&
+         equal(
+             a.pairs, b.pairs,
+             [](const StructurePair& x, const StructurePair& y) { return x.edge0 == y.edge0 && x.edge1 == y.edge1; }) &&
+         equal(a.joints, b.joints,
+               [&](const StructureJoint& x, const StructureJoint& y) {
+                 return x.node == y.node && x.kind == y.kind &&
+                        equal(x.connections, y.connections, [](const JointConnection& c, const JointConnection& d) {
+                          return c.edge == d.edge && c.direction == d.direction;
+                        });
+               }) &&
+         equal(a.triangles, b.triangles,
+               [](const StructureTriangle& x, const StructureTriangle& y) { return x.node == y.node; }) &&
+         equal(a.hinges, b.hinges, [](const StructureHinge& x, const StructureHinge& y) { return x.node == y.node; });
+}
+
 }  // namespace
+
+Status renew_numbers(const Model& model, const Pose& pose, const std::string& where, System& system,
+                     StaticProblem& problem) {
+  Result<System> changed = make_system(model);
+  if (!changed) return changed.error();
+  auto terms = make_terms(model, changed.value(), &pose, where);
+  if (!terms) return terms.error();
+  bool same = same_topology(system.structure, changed.value().structure) &&
+              terms.value().size() == problem.potential.terms().size();
+  for (size_t t = 0; same && t < terms.value().size(); ++t) {
+    same = terms.value()[t]->stencils() == problem.potential.terms()[t]->stencils();
+  }
+  if (!same) {
+    return Error{ErrorCode::kConflict, where, "the changed structure has other nodes, joints or triangles",
+                 "discretise it anew and carry the shape over"};
+  }
+  system = std::move(changed).value();
+  problem.potential.replace_terms(std::move(terms).value());
+  problem.scales = make_scales(system, problem.potential);
+  problem.mode_metric = make_mode_metric(system, problem.supports);
+  return {};
+}
 
 Result<StaticProblem> make_static_problem(const Model& model, const System& system, const Pose& pose,
                                           const std::string& where, NullMotions null_motions) {

@@ -35,6 +35,12 @@ struct StaticProblem {
 Result<StaticProblem> make_static_problem(const Model& model, const System& system, const Pose& pose,
                                           const std::string& where, NullMotions null_motions = NullMotions::kRemove);
 
+/// Takes over the numbers of a changed model (lengths, curvatures, radii, moduli, pre-stretch) with the same nodes, edges,
+/// joints and triangles; patterns and symbolic factors of solvers on `problem` stay valid. `system` is the one that the
+/// problem refers to. Changes nothing and is an error where the topology differs.
+Status renew_numbers(const Model& model, const Pose& pose, const std::string& where, System& system,
+                     StaticProblem& problem);
+
 /// The drawn shape with the pose's seed: where a solve starts from.
 State start_state(const StaticProblem& problem, const Pose& pose);
 

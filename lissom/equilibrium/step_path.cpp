@@ -20,11 +20,11 @@ StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path)
   }
 }
 
-void StepPathPolicy::begin(const State& state, const VecX& d, double reach) {
+void StepPathPolicy::begin(const State& state, const VecX& d, double reach, bool own_factor) {
   state_ = &state;
   d_ = d;
   has_p_ = false;
-  if (path_ == StepPath::kSecondOrder || path_ == StepPath::kSecondOrderRotating) second_order(reach);
+  if (own_factor && (path_ == StepPath::kSecondOrder || path_ == StepPath::kSecondOrderRotating)) second_order(reach);
 }
 
 void StepPathPolicy::second_order(double reach) {

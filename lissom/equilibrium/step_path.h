@@ -19,9 +19,9 @@ class StepPathPolicy {
   /// Takes the rigid motions of free parts out of a step.
   const RigidDrift& drift() const { return drift_; }
 
-  /// Prepares the path of step d (global axes) from `state`; the factor of the workspace is the one that gave d.
-  /// `reach` is the largest fraction that will be tried.
-  void begin(const State& state, const VecX& d, double reach);
+  /// Prepares the path of step d (global axes) from `state`. `reach` is the largest fraction that will be tried. A second
+  /// order needs the factor in the workspace to be the one that gave d.
+  void begin(const State& state, const VecX& d, double reach, bool own_factor = true);
 
   /// State at fraction a; false when it cannot be had.
   [[nodiscard]] bool at(double a, State& trial);

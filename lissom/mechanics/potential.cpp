@@ -1,5 +1,6 @@
 #include "lissom/mechanics/potential.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lissom/core/assert.h"
@@ -60,6 +61,16 @@ Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, s
   LISSOM_ASSERT(hessian < (std::ptrdiff_t{1} << 31) && gradient < (std::ptrdiff_t{1} << 31));
   pattern_ = SparsePattern(dofs, groups, offsets);
   build_gather();
+}
+
+void Potential::replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms) {
+  LISSOM_ASSERT(terms.size() == terms_.size());
+  for (size_t t = 0; t < terms.size(); ++t) {
+    const std::span<const int> before = terms_[t]->indices(), after = terms[t]->indices();
+    LISSOM_ASSERT(terms[t]->name() == terms_[t]->name() &&
+                  std::equal(before.begin(), before.end(), after.begin(), after.end()));
+  }
+  terms_ = std::move(terms);
 }
 
 void Potential::build_gather() {

@@ -32,6 +32,9 @@ class Potential {
   Potential(Potential&&) noexcept = default;
   Potential& operator=(Potential&&) noexcept = default;
 
+  /// Takes terms with other rest numbers over; they have to be the same terms on the same unknowns. The pattern stays.
+  void replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms);
+
   int dofs() const { return pattern_.size(); }
   std::span<const std::unique_ptr<EnergyTerm>> terms() const { return terms_; }
   EnergyTerm& term(int i) { return *terms_[i]; }

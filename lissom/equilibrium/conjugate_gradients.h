@@ -1,0 +1,19 @@
+#pragma once
+/// Newton steps with a factor of a nearby matrix: conjugate gradients on the present Hessian, preconditioned by the factor
+/// that the workspace holds. A product and a back-solve cost about a twentieth of a factorisation [convergence 5].
+
+#include "lissom/equilibrium/newton_workspace.h"
+
+namespace lissom {
+
+enum class CgEnd {
+  kConverged,
+  kMissed,    ///< not within the iterations granted
+  kNegative,  ///< a direction without positive curvature was met
+};
+
+/// Solves H x = b for the free unknowns to `tolerance` in the norm of the preconditioner. x is the best found.
+CgEnd conjugate_gradients(NewtonWorkspace& workspace, const VecX& b, double tolerance, int most_iterations, VecX& x,
+                          int& iterations);
+
+}  // namespace lissom

@@ -1,0 +1,126 @@
+#include "lissom/equilibrium/live_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lissom/equilibrium/report.h"
+#include "lissom/equilibrium/rigid_drift.h"
+#include "lissom/equilibrium/root_finder.h"
+#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/stability.h"
+#include "lissom/equilibrium/start_smoothing.h"
+
+namespace lissom {
+
+namespace {
+
+constexpr int kMaxEscapes = 8;
+
+/// Moves `state` along +- the mode by the amplitude of lowest energy among a few. False when none lowers the energy.
+bool escape(NewtonWorkspace& workspace, State& state, const Mode& mode, const SolveOptions& options) {
+  const double turn = largest_turn(workspace.system(), state, mode.shape);
+  const int frames = 3 * workspace.system().layout.nodes();
+  const double roll =
+      mode.shape.size() > frames ? mode.shape.tail(mode.shape.size() - frames).cwiseAbs().maxCoeff() : 0;
+  const double unit = 0.3 / std::max({turn, roll, 1e-300});
+  StepPathPolicy path(workspace, options.path == StepPath::kStraight ? StepPath::kStraight : StepPath::kRotating);
+  const VecX step = unit * mode.shape;
+  path.begin(state, step, 1);
+  const double energy = workspace.energy(state);
+  double best_energy = energy;
+  State trial, best;
+  for (const double amplitude : {1.0, 0.5, 0.25, 0.1, 0.03, -1.0, -0.5, -0.25, -0.1, -0.03}) {
+    if (!path.at(amplitude, trial)) continue;
+    const double v = workspace.energy(trial);
+    // The side is fixed by the mode's sign unless the other one is clearly lower: mirror images tie.
+    if (v < best_energy - 1e-9 * std::abs(energy - best_energy)) {
+      best_energy = v;
+      best = trial;
+    }
+  }
+  if (!(best_energy < energy)) return false;
+  std::swap(state, best);
+  return true;
+}
+
+}  // namespace
+
+LiveSolver::LiveSolver(const StaticProblem& problem, const SolveOptions& options, const Context& context)
+    : problem_(problem), options_(options), context_(context), workspace_(problem, context_) {
+  if (options.method == Method::kMinimize) minimizer_.emplace(workspace_, options_);
+}
+
+void LiveSolver::renew_terms() {
+  if (minimizer_) minimizer_->renew_terms();
+}
+
+double LiveSolver::tolerance() const {
+  return std::max(options_.tolerance * problem_.scales.force, 2 * problem_.scales.rounding);
+}
+
+Equilibrium LiveSolver::finish(Equilibrium result, Verdict verdict) {
+  result.verdict = verdict;
+  result.factorizations = workspace_.factorizations() - factorizations_before_;
+  if (!problem_.system->structure.triangles.empty()) lay_down(problem_, result.state);
+  describe(problem_, workspace_, result);
+  return result;
+}
+
+Equilibrium LiveSolver::settle(const State& start, double load_factor) {
+  Equilibrium result;
+  factorizations_before_ = workspace_.factorizations();
+  result.state = start;
+  result.records.reserve(std::clamp(options_.max_iterations, 1, 1024));
+  result.tolerance = tolerance();
+  if (!start.q.allFinite()) return finish(std::move(result), Verdict::kBadStart);
+  if (is_crumpled(workspace_.system(), result.state)) {
+    result.state = smoothed_start(problem_, result.state);
+    result.start_smoothed = true;
+  }
+  const Descent moves = move_to_load(workspace_, result.state, load_factor, result.tolerance, options_,
+                                     options_.max_iterations, result.records);
+  result.iterations = moves.iterations;
+  if (moves.verdict != Verdict::kStable) return finish(std::move(result), moves.verdict);
+  return descend(std::move(result), FirstStep::kNewton);
+}
+
+Equilibrium LiveSolver::resettle(const State& before) {
+  Equilibrium result;
+  factorizations_before_ = workspace_.factorizations();
+  result.state = before;
+  result.tolerance = tolerance();
+  if (!before.q.allFinite()) return finish(std::move(result), Verdict::kBadStart);
+  return descend(std::move(result), FirstStep::kFactorAtHand);
+}
+
+Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
+  for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
+    const int left = std::max(options_.max_iterations - result.iterations, 0);
+    const Descent descent = minimizer_
+                                ? minimizer_->run(result.state, result.tolerance, left, result.records, first)
+                                : find_root(workspace_, result.state, result.tolerance, options_, left, result.records);
+    result.iterations += descent.iterations;
+    result.residual = descent.residual;
+    if (descent.verdict != Verdict::kStable) return finish(std::move(result), descent.verdict);
+
+    const Stability stability = examine_stability(workspace_, options_.modes);
+    result.modes = stability.modes;
+    result.negative_modes = stability.negative;
+    if (stability.negative == 0) {
+      return finish(std::move(result), stability.critical ? Verdict::kCritical : Verdict::kStable);
+    }
+    const bool leave = options_.at_saddle == AtSaddle::kEscape && minimizer_ && escapes < kMaxEscapes &&
+                       !stability.modes.empty() && !context_.cancelled();
+    if (!leave || !escape(workspace_, result.state, stability.modes.front(), options_)) {
+      return finish(std::move(result), Verdict::kUnstable);
+    }
+  }
+}
+
+Equilibrium solve(const StaticProblem& problem, const State& start, double load_factor, const SolveOptions& options,
+                  const Context& context) {
+  return LiveSolver(problem, options, context).settle(start, load_factor);
+}
+
+}  // namespace lissom

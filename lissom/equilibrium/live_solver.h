@@ -1,0 +1,44 @@
+#pragma once
+/// A static solver that stays with its problem: patterns, symbolic factors and the last factor serve for the next solve, so
+/// that a structure whose numbers change a little settles in a few hundredths of a second [convergence 5].
+
+#include <optional>
+
+#include "lissom/core/context.h"
+#include "lissom/equilibrium/equilibrium.h"
+#include "lissom/equilibrium/minimizer.h"
+#include "lissom/equilibrium/options.h"
+
+namespace lissom {
+
+class LiveSolver {
+ public:
+  /// The problem has to outlive the solver; its terms may be replaced in between (renew_terms).
+  LiveSolver(const StaticProblem& problem, const SolveOptions& options, const Context& context = {});
+  LiveSolver(const LiveSolver&) = delete;
+  LiveSolver& operator=(const LiveSolver&) = delete;
+
+  /// Brings `start` to `load_factor` and into equilibrium. Never returns a state that is not finite.
+  Equilibrium settle(const State& start, double load_factor);
+
+  /// Follows a small change of the problem's numbers from an equilibrium of the old ones, at its load factor: first-order
+  /// prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
+  Equilibrium resettle(const State& before);
+
+  /// To be called after the terms of the problem's potential were replaced.
+  void renew_terms();
+
+ private:
+  double tolerance() const;
+  Equilibrium descend(Equilibrium result, FirstStep first);
+  Equilibrium finish(Equilibrium result, Verdict verdict);
+
+  const StaticProblem& problem_;
+  SolveOptions options_;
+  Context context_;
+  NewtonWorkspace workspace_;
+  std::optional<Minimizer> minimizer_;
+  int factorizations_before_ = 0;
+};
+
+}  // namespace lissom
