@@ -18,6 +18,7 @@ void add_modes(CLI::App& app, Runner& chosen);
 void add_dynamics(CLI::App& app, Runner& chosen);
 void add_draw(CLI::App& app, Runner& chosen);
 void add_verify(CLI::App& app, Runner& chosen);
+void add_fit_fabric(CLI::App& app, Runner& chosen);
 void add_convert(CLI::App& app, Runner& chosen);
 void add_schema(CLI::App& app, Runner& chosen);
 void add_scenes(CLI::App& app, Runner& chosen);
