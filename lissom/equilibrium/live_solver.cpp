@@ -62,7 +62,6 @@ double LiveSolver::tolerance() const {
 Equilibrium LiveSolver::finish(Equilibrium result, Verdict verdict) {
   result.verdict = verdict;
   result.factorizations = workspace_.factorizations() - factorizations_before_;
-  if (!problem_.system->structure.triangles.empty()) lay_down(problem_, result.state);
   describe(problem_, workspace_, result);
   return result;
 }
@@ -95,6 +94,7 @@ Equilibrium LiveSolver::resettle(const State& before) {
 }
 
 Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
+  const bool cold = first == FirstStep::kNewton;
   for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
     const int left = std::max(options_.max_iterations - result.iterations, 0);
     const Descent descent = minimizer_
@@ -104,6 +104,11 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     result.residual = descent.residual;
     if (descent.verdict != Verdict::kStable) return finish(std::move(result), descent.verdict);
 
+    if (cold && !problem_.system->structure.triangles.empty()) {
+      // Before the last factorisation: it has to be that of the state which is handed out.
+      lay_down(problem_, result.state);
+      workspace_.assemble(result.state);
+    }
     const Stability stability = examine_stability(workspace_, options_.modes);
     result.modes = stability.modes;
     result.negative_modes = stability.negative;

@@ -45,7 +45,7 @@ void Minimizer::renew_terms() {
 double Minimizer::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
   if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
-  if (rods_) rods_->relax(trial_, 2, shift_.shift(), tolerance_);
+  if (rods_) rods_->relax(trial_, predicted_ ? kFirstRelaxation : 2, shift_.shift(), tolerance_);
   const double v = workspace_.energy(trial_);
   return std::isfinite(v) ? v : INFINITY;
 }
@@ -94,6 +94,7 @@ void Minimizer::expand(double slope, double turn, double roll) {
 
 bool Minimizer::newton_step() {
   free_ = -workspace_.free_gradient();
+  predicted_ = predict_;
   if (predict_) {
     predict_ = own_factor_ = false;
     workspace_.factor().solve(free_, free_);

@@ -55,7 +55,8 @@ class Minimizer {
   bool first_trial_ = false;
   bool reuse_ = false;      // factors may serve for later states
   bool stale_ = false;      // the one in the workspace is to be tried
-  bool predict_ = false;    // the next step is a prediction
+  bool predict_ = false;    // the next step is to be a prediction
+  bool predicted_ = false;  // the present one is
   bool own_factor_ = true;  // the present step has its own
 };
 
