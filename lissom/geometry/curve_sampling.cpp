@@ -7,6 +7,8 @@
 #include <queue>
 #include <utility>
 
+#include "lissom/geometry/hermite_curve.h"
+
 namespace lissom {
 
 namespace {
@@ -49,59 +51,13 @@ Status check_edges(int edges, int needed, const std::string& where) {
                       fmt::format("give at least {}: one for each piece, three for a closed curve", needed));
 }
 
-/// Cubic Hermite pieces through the points, tangents with respect to a parameter that grows by 1 per piece.
-class HermiteCurve {
- public:
-  HermiteCurve(std::span<const Vec3> points, bool closed) : points_(points.begin(), points.end()), closed_(closed) {
-    const int n = static_cast<int>(points.size());
-    const auto at = [&](int i) -> const Vec3& { return points_[static_cast<size_t>((i + n) % n)]; };
-    for (int i = 0; i < n; ++i) {
-      if (n == 2) {
-        slopes_.push_back(at(1) - at(0));
-      } else if (!closed && i == 0) {
-        slopes_.push_back((-3 * at(0) + 4 * at(1) - at(2)) / 2);
-      } else if (!closed && i == n - 1) {
-        slopes_.push_back((3 * at(n - 1) - 4 * at(n - 2) + at(n - 3)) / 2);
-      } else {
-        slopes_.push_back((at(i + 1) - at(i - 1)) / 2);
-      }
-    }
-  }
-
-  int pieces() const { return static_cast<int>(points_.size()) - (closed_ ? 0 : 1); }
-
-  Vec3 point(int piece, double s) const {
-    const auto [p0, p1, m0, m1] = piece_data(piece);
-    const double r = 1 - s;
-    return (1 + 2 * s) * r * r * p0 + s * r * r * m0 + s * s * (3 - 2 * s) * p1 + s * s * (s - 1) * m1;
-  }
-
-  Vec3 slope(int piece, double s) const {
-    const auto [p0, p1, m0, m1] = piece_data(piece);
-    return 6 * s * (1 - s) * (p1 - p0) + (1 - s) * (1 - 3 * s) * m0 + s * (3 * s - 2) * m1;
-  }
-
-  /// Unit tangent. Where the slope vanishes (a cusp) the direction between the neighbouring points of the curve.
-  Vec3 tangent(int piece, double s) const {
-    const Vec3 d = slope(piece, s);
-    const auto [p0, p1, m0, m1] = piece_data(piece);
-    if (d.norm() > 1e-9 * (p1 - p0).norm()) return d.normalized();
-    const Vec3 chord = point(piece, std::min(1.0, s + 0.01)) - point(piece, std::max(0.0, s - 0.01));
-    return chord.norm() > 0 ? Vec3(chord.normalized()) : Vec3((p1 - p0).normalized());
-  }
-
- private:
-  struct Piece {
-    Vec3 p0, p1, m0, m1;
-  };
-  Piece piece_data(int piece) const {
-    const size_t i = static_cast<size_t>(piece), j = (i + 1) % points_.size();
-    return {points_[i], points_[j], slopes_[i], slopes_[j]};
-  }
-
-  std::vector<Vec3> points_, slopes_;
-  bool closed_;
-};
+/// Unit tangent. Where the slope vanishes (a cusp) the direction between the neighbouring points of the curve.
+Vec3 unit_tangent(const HermiteCurve<Vec3>& curve, int piece, double s) {
+  const Vec3 d = curve.slope(piece, s), straight = curve.chord(piece);
+  if (d.norm() > 1e-9 * straight.norm()) return d.normalized();
+  const Vec3 chord = curve.point(piece, std::min(1.0, s + 0.01)) - curve.point(piece, std::max(0.0, s - 0.01));
+  return chord.norm() > 0 ? Vec3(chord.normalized()) : Vec3(straight.normalized());
+}
 
 /// Edges per piece: one each, the rest always to the piece whose edges are longest (the first of equals).
 std::vector<int> distribute(const std::vector<double>& lengths, int edges) {
@@ -153,7 +109,7 @@ Result<CurveMeasure> measure_polyline(std::span<const Vec3> points, bool closed,
 
 Result<CurveMeasure> measure_spline(std::span<const Vec3> points, bool closed, const std::string& where) {
   if (Status s = check_points(points, closed, where); !s) return s.error();
-  const HermiteCurve curve(points, closed);
+  const HermiteCurve<Vec3> curve(points, closed);
   constexpr int kParts = 16;
   constexpr double kGauss = 0.28867513459481287;  // half of 1 / sqrt(3): two-point rule on each part
   CurveMeasure m;
@@ -165,7 +121,8 @@ Result<CurveMeasure> measure_spline(std::span<const Vec3> points, bool closed, c
       const double middle = (k + 0.5) / kParts, offset = kGauss / kParts;
       m.length +=
           (curve.slope(piece, middle - offset).norm() + curve.slope(piece, middle + offset).norm()) / (2 * kParts);
-      const Vec3 t0 = curve.tangent(piece, k / double{kParts}), t1 = curve.tangent(piece, (k + 1) / double{kParts});
+      const Vec3 t0 = unit_tangent(curve, piece, k / double{kParts}),
+                 t1 = unit_tangent(curve, piece, (k + 1) / double{kParts});
       turning += std::atan2(t0.cross(t1).norm(), t0.dot(t1));
     }
     most = std::max(most, turning);
@@ -207,7 +164,7 @@ Result<CurveSamples> sample_polyline(std::span<const Vec3> points, bool closed, 
 Result<CurveSamples> sample_spline(std::span<const Vec3> points, bool closed, int edges, const std::string& where) {
   if (Status s = check_points(points, closed, where); !s) return s.error();
   if (Status s = check_edges(edges, closed ? 3 : 1, where); !s) return s.error();
-  const HermiteCurve curve(points, closed);
+  const HermiteCurve<Vec3> curve(points, closed);
   CurveSamples samples;
   samples.closed = closed;
   for (int k = 0; k < edges + (closed ? 0 : 1); ++k) {
@@ -216,7 +173,7 @@ Result<CurveSamples> sample_spline(std::span<const Vec3> points, bool closed, in
     const int piece = std::min(static_cast<int>(place / edges), curve.pieces() - 1);
     const double s = double(place - static_cast<long long>(piece) * edges) / edges;
     samples.points.push_back(curve.point(piece, s));
-    samples.tangents.push_back(curve.tangent(piece, s));
+    samples.tangents.push_back(unit_tangent(curve, piece, s));
   }
   return samples;
 }

@@ -7,6 +7,7 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/geometry/point_grid.h"
 #include "lissom/model/discretize_parts.h"
+#include "lissom/model/expand_plan.h"
 #include "lissom/model/limits.h"
 #include "lissom/model/sampling.h"
 #include "lissom/model/structure.h"
@@ -90,7 +91,7 @@ Status sample_rods(Draft& draft, double refine) {
   std::vector<int> counts;
   for (size_t r = 0; r < model.rods.size(); ++r) {
     if (Status s = check_rod(model, r); !s) return s;
-    const Result<int> edges = edge_count(model.rods[r], refine, rod_place(r));
+    const Result<int> edges = edge_count(model.rods[r], r < draft.cut_rods_from ? refine : 1, rod_place(r));
     if (!edges) return edges.error();
     counts.push_back(edges.value());
     nodes += edges.value() + 1;
@@ -251,13 +252,12 @@ void set_drawn_frames(Draft& draft) {
   }
 }
 
-}  // namespace
-
-Result<Structure> discretize(const Model& model, double refine) {
+/// Of a model without a plan, or one whose plan is expanded.
+Result<Structure> discretize_parts(const Model& model, double refine, size_t cut_rods_from) {
   if (model.rods.empty() && model.membranes.empty()) {
     return Error{ErrorCode::kGeometry, "/rods", "there is no rod and no membrane", "describe at least one"};
   }
-  Draft draft{model, {}, {}, {}, {}, {}, {}};
+  Draft draft{model, {}, {}, {}, {}, {}, {}, cut_rods_from};
   for (const NetworkFile& file : model.network_files) {
     draft.structure.notes.insert(draft.structure.notes.end(), file.notes.begin(), file.notes.end());
   }
@@ -274,6 +274,21 @@ Result<Structure> discretize(const Model& model, double refine) {
   note_turning_angles(draft);
   note_loose_ends(draft);
   return std::move(draft.structure);
+}
+
+}  // namespace
+
+Result<Structure> discretize(const Model& model, double refine) {
+  if (!model.plan) return discretize_parts(model, refine, model.rods.size());
+  std::vector<std::string> notes;
+  const Result<Model> whole = with_plan_expanded(model, refine, notes);
+  if (!whole) return whole.error();
+  Result<Structure> structure = discretize_parts(whole.value(), refine, model.rods.size());
+  if (structure) {
+    std::vector<std::string>& all = structure.value().notes;
+    all.insert(all.begin(), notes.begin(), notes.end());
+  }
+  return structure;
 }
 
 }  // namespace lissom

@@ -9,6 +9,7 @@
 /// N_drawn, tangent to the drawn curve at the node (a straight rod closed to a circle and clamped leaves the clamp along
 /// the circle's tangent). Node tangents are those of the smooth curve; polylines have the direction of the edge itself.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct Draft {
   std::vector<MembraneMesh> membranes;  ///< cut into triangles, on the points of the shape
   std::vector<int> passages;            ///< by node: how many rod ends and through-going rods meet there
   std::vector<Vec3> joint_normals;      ///< by node, zero where no rod with axes from joints ends
+  size_t cut_rods_from = SIZE_MAX;      ///< rods from this one on come from the plan and are cut already
 };
 
 /// Error place of a rod, "/rods/3", and its name for messages.

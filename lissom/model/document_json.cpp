@@ -156,6 +156,7 @@ void describe(Fields& fields, DocumentEntry& document) {
       .field("membranes", m.membranes, ListOf<MembraneOf>{}, kOptional, "Pieces of fabric.")
       .field("fabric_tests", m.fabric_tests, TableOf<FabricTestOf, FabricTest>{{}, &FabricTest::name}, kOptional,
              "Stretch tests of strips of fabric, by name, to which `lissom fit-fabric` fits moduli.")
+      .field("plan", m.plan, PlanOf(), kOptional, "Rods drawn flat on pre-stretched fabric, besides the others.")
       .field("joints", document.joints, ObjectOf<JointsEntry>{"joint settings"}, kOptional,
              "How rods that meet hold each other.")
       .field("sets", m.sets, TableOf<NamedSetOf, NamedSet>{{}, &NamedSet::name}, kOptional, "Named sets of nodes.")

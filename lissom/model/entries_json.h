@@ -105,6 +105,15 @@ struct FabricTestOf {
   JsonValue schema(Schema& schema) const;
 };
 
+void describe(Fields& fields, Fabric& fabric);
+
+/// Rods drawn on fabric.
+struct PlanOf {
+  void read(Reader& reader, const JsonValue& json, Plan& plan) const;
+  JsonValue write(const Plan& plan) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 /// How a document names nodes.
 struct SelectorOf {
   void read(Reader& reader, const JsonValue& json, Selector& selector) const;

@@ -34,7 +34,7 @@ constexpr std::pair<std::string_view, Selector::Rim> kRims[] = {
 
 /// The object form of a selector.
 struct SelectorEntry {
-  std::optional<std::string> rod;
+  std::optional<std::string> rod, plan_point;
   std::optional<double> at, within;
   std::optional<Vec3> point;
   std::optional<std::vector<Vec3>> box;
@@ -49,6 +49,7 @@ void describe(Fields& fields, SelectorEntry& entry) {
       .field("point", entry.point, point, kOptional, "The node nearest to this point.")
       .field("within", entry.within, NumberOf{Measure::kLength, kPositive}, kOptional,
              "How far it may be away; half a mean edge when absent.")
+      .field("plan_point", entry.plan_point, TextOf{false}, kOptional, "The node at this point of the plan.")
       .field("box", entry.box, ListOf<VectorOf>{point, 2, 2}, kOptional,
              "All nodes between the low and the high corner.")
       .field("membrane", entry.membrane, TextOf{false}, kOptional, "All vertices of this membrane.")
@@ -59,12 +60,14 @@ void describe(Fields& fields, SelectorEntry& entry) {
 constexpr ObjectOf<SelectorEntry> kSelector{"selector"};
 
 void selector_of(Reader& reader, const SelectorEntry& entry, Selector& selector) {
-  const int kinds =
-      entry.rod.has_value() + entry.point.has_value() + entry.box.has_value() + entry.membrane.has_value();
+  const int kinds = entry.rod.has_value() + entry.point.has_value() + entry.box.has_value() +
+                    entry.membrane.has_value() + entry.plan_point.has_value();
   if (kinds != 1) {
-    return reader.fail(kinds == 0 ? ErrorCode::kType : ErrorCode::kConflict,
-                       kinds == 0 ? "the selector names nothing" : "the selector names more than one thing",
-                       "give one of \"rod\", \"membrane\", \"point\" and \"box\"; a list of selectors is their union");
+    return reader.fail(
+        kinds == 0 ? ErrorCode::kType : ErrorCode::kConflict,
+        kinds == 0 ? "the selector names nothing" : "the selector names more than one thing",
+        "give one of \"rod\", \"membrane\", \"point\", \"plan_point\" and \"box\"; a list of selectors is "
+        "their union");
   }
   if ((entry.at && !entry.rod) || (entry.within && !entry.point)) {
     const Reader::Step step(reader, entry.at && !entry.rod ? "at" : "within");
@@ -90,6 +93,9 @@ void selector_of(Reader& reader, const SelectorEntry& entry, Selector& selector)
     selector.kind = Selector::Kind::kPoint;
     selector.point = *entry.point;
     selector.tolerance = entry.within.value_or(0);
+  } else if (entry.plan_point) {
+    selector.kind = Selector::Kind::kPlanPoint;
+    selector.name = *entry.plan_point;
   } else {
     selector.kind = Selector::Kind::kBox;
     selector.low = (*entry.box)[0];
@@ -143,6 +149,9 @@ JsonValue SelectorOf::write(const Selector& selector) const {
       [[fallthrough]];
     case Selector::Kind::kMembrane:
       entry.membrane = selector.name;
+      break;
+    case Selector::Kind::kPlanPoint:
+      entry.plan_point = selector.name;
       break;
     default:
       entry.box = {selector.low, selector.high};

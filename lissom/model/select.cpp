@@ -55,6 +55,8 @@ class Selection {
       case Selector::Kind::kMembrane:
       case Selector::Kind::kRim:
         return membrane(selector);
+      case Selector::Kind::kPlanPoint:
+        return plan_point(selector);
       case Selector::Kind::kUnion:
         return parts(selector, depth);
     }
@@ -180,6 +182,22 @@ class Selection {
             "no node lies within {:g} m of ({:g}, {:g}, {:g}); the nearest, at ({:g}, {:g}, {:g}), is {:g} m away",
             tolerance, selector.point.x(), selector.point.y(), selector.point.z(), p.x(), p.y(), p.z(), distance),
         "correct the point (are its units right?) or give a larger `tolerance`"};
+  }
+
+  Result<Nodes> plan_point(const Selector& selector) const {
+    std::vector<std::string> names;
+    if (model_.plan) {
+      for (const PlanPoint& known : model_.plan->points) {
+        names.push_back(known.name);
+        if (known.name != selector.name) continue;
+        Selector at;
+        at.kind = Selector::Kind::kPoint;
+        at.point = Vec3(known.at.x(), known.at.y(), 0);
+        return point(at);
+      }
+    }
+    return Error{ErrorCode::kUnknown, where_, fmt::format("the plan has no point named \"{}\"", selector.name),
+                 names.empty() ? "describe it under `plan`" : suggestion(selector.name, names)};
   }
 
   const Model& model_;

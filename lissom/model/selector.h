@@ -1,5 +1,5 @@
 #pragma once
-/// How a document names nodes: ends of rods, places along them, points in space, boxes, named sets, and unions of these.
+/// How a document names nodes: ends of rods, places along them, points in space or of the plan, boxes, named sets, and unions of these.
 
 #include <span>
 #include <string>
@@ -21,9 +21,10 @@ struct Selector {
     kJoints,    ///< every node where rods meet: ends of two or more, or an end on or a crossing with a rod that passes
     kEnds,      ///< every end of a rod at which no other rod ends or passes
     kBoundary,  ///< outer loop of a line network: its nodes where rods meet or end, all of them on a ring, else free ends
-    kMembrane,  ///< vertices of membrane `name`
-    kRim,       ///< those of them at its edge, or at the part of it that `rim` says
-    kUnion,     ///< all of `parts`
+    kMembrane,   ///< vertices of membrane `name`
+    kRim,        ///< those of them at its edge, or at the part of it that `rim` says
+    kPlanPoint,  ///< the node at the point `name` of the plan
+    kUnion,      ///< all of `parts`
   };
   enum class Rim {
     kAll,

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/check_plan.h"
+#include "lissom/model/expand_plan.h"
 #include "lissom/model/json_value.h"
 #include "lissom/model/limits.h"
 #include "lissom/model/units.h"
@@ -73,15 +75,21 @@ void check_sets(Checker& check, const Model& model) {
 
 Checker::Checker(const Model& described) : model(described) {
   for (const Rod& rod : model.rods) rods.push_back(rod.name);
+  if (model.plan) {
+    for (std::string& name : plan_rod_names(*model.plan)) rods.push_back(std::move(name));
+    for (const PlanPoint& point : model.plan->points) plan_points.push_back(point.name);
+  }
   for (const NamedSet& set : model.sets) sets.push_back(set.name);
   for (const Pose& pose : model.poses) poses.push_back(pose.name);
   for (const Material& material : model.materials) materials.push_back(material.name);
   for (const Material& material : material_library()) materials.push_back(material.name);
   for (const Membrane& membrane : model.membranes) membranes.push_back(membrane.name);
+  if (model.plan) membranes.emplace_back(kFabricName);
   for (const MembraneMaterial& fabric : model.membrane_materials) fabrics.push_back(fabric.name);
   for (const MembraneMaterial& fabric : membrane_library()) fabrics.push_back(fabric.name);
   for (const FabricTest& test : model.fabric_tests) fabric_tests.push_back(test.name);
   rod_names_.insert(rods.begin(), rods.end());
+  point_names_.insert(plan_points.begin(), plan_points.end());
   set_names_.insert(sets.begin(), sets.end());
   pose_names_.insert(poses.begin(), poses.end());
   material_names_.insert(materials.begin(), materials.end());
@@ -137,6 +145,7 @@ void Checker::direction(const Vec3& value, const std::string& where, bool unit) 
 
 const std::unordered_set<std::string>& Checker::lookup(const std::vector<std::string>& names) {
   if (&names == &rods) return rod_names_;
+  if (&names == &plan_points) return point_names_;
   if (&names == &sets) return set_names_;
   if (&names == &membranes) return membrane_names_;
   if (&names == &fabrics) return fabric_names_;
@@ -168,6 +177,8 @@ void Checker::selector(const Selector& selector, const std::string& where) {
              "0 is its start, 1 its end");
       }
       return;
+    case Selector::Kind::kPlanPoint:
+      return known(selector.name, plan_points, "point of the plan", where + "/plan_point");
     case Selector::Kind::kPoint:
       finite(selector.point, where + "/point");
       return not_negative(selector.tolerance, where + "/within", "distance");
@@ -203,7 +214,9 @@ Status Model::validate() const {
   check.distinct(own, "material", [&own](std::size_t i) { return "/materials/" + pointer_step(own[i]); });
   check.distinct(own_fabrics, "fabric",
                  [&own_fabrics](std::size_t i) { return "/membrane_materials/" + pointer_step(own_fabrics[i]); });
-  check.distinct(check.rods, "rod", listed("rods"));
+  check.distinct(check.rods, "rod", [this](std::size_t i) {
+    return i < rods.size() ? at("", "rods", i) + "/name" : std::string("/plan/rods");
+  });
   check.distinct(check.membranes, "membrane", listed("membranes"));
   check.distinct(check.sets, "set", [&check](std::size_t i) { return "/sets/" + pointer_step(check.sets[i]); });
   check.distinct(check.poses, "pose", listed("poses"));
@@ -221,6 +234,7 @@ Status Model::validate() const {
     check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods and no membranes",
                "add some to \"rods\", \"networks\" or \"membranes\"");
   }
+  if (plan && !check.failed()) check.take(check_plan(*this));
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));
   check.distinct(check.fabric_tests, "fabric test",
                  [&check](std::size_t i) { return "/fabric_tests/" + pointer_step(check.fabric_tests[i]); });

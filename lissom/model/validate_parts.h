@@ -16,7 +16,7 @@ class Checker {
   explicit Checker(const Model& model);
 
   const Model& model;
-  std::vector<std::string> rods, sets, poses, materials;  ///< names, in order
+  std::vector<std::string> rods, sets, poses, materials, plan_points;  ///< names, in order; rods of the plan come last
   std::vector<std::string> membranes, fabrics, fabric_tests;
 
   bool failed() const { return error_.has_value(); }
@@ -50,7 +50,7 @@ class Checker {
   const std::unordered_set<std::string>& lookup(const std::vector<std::string>& names);
 
   std::unordered_set<std::string> rod_names_, set_names_, pose_names_, material_names_, membrane_names_, fabric_names_,
-      fabric_test_names_;
+      fabric_test_names_, point_names_;
   std::optional<Error> error_;
 };
 

@@ -1,0 +1,69 @@
+#include "lissom/geometry/segment_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lissom {
+
+namespace {
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+double point_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 e = b - a;
+  const double squared = e.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(e) / squared, 0.0, 1.0) : 0;
+  return (a + t * e - p).norm();
+}
+
+}  // namespace
+
+double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double s = cross(b - a, c - a), t = cross(b - a, d - a);
+  const double u = cross(d - c, a - c), v = cross(d - c, b - c);
+  const bool across = ((s > 0) != (t > 0)) && ((u > 0) != (v > 0)) && s != t && u != v;
+  if (across) return 0;
+  return std::min({point_distance(a, c, d), point_distance(b, c, d), point_distance(c, a, b), point_distance(d, a, b)});
+}
+
+std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
+                                              std::span<const std::array<int, 2>> segments, double distance) {
+  const auto start = [&](std::size_t k) -> const Vec2& { return points[static_cast<std::size_t>(segments[k][0])]; };
+  const auto end = [&](std::size_t k) -> const Vec2& { return points[static_cast<std::size_t>(segments[k][1])]; };
+  if (segments.empty()) return {};
+  Vec2 low = start(0), high = low;
+  double length = 0;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    low = low.cwiseMin(start(k)).cwiseMin(end(k));
+    high = high.cwiseMax(start(k)).cwiseMax(end(k));
+    length += (end(k) - start(k)).norm() / double(segments.size());
+  }
+  constexpr double kMostCells = 2000;  // along a side, so that long segments among short ones stay affordable
+  const double cell = std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells});
+  const auto number = [&](double x, double from) { return static_cast<int>(std::floor((x - from) / cell)); };
+  std::vector<std::array<int, 3>> entries;  // column, row, segment
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const Vec2 from = start(k).cwiseMin(end(k)).array() - distance, to = start(k).cwiseMax(end(k)).array() + distance;
+    for (int x = number(from.x(), low.x()); x <= number(to.x(), low.x()); ++x) {
+      for (int y = number(from.y(), low.y()); y <= number(to.y(), low.y()); ++y) {
+        entries.push_back({x, y, static_cast<int>(k)});
+      }
+    }
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    for (std::size_t j = i + 1; j < entries.size(); ++j) {
+      if (entries[j][0] != entries[i][0] || entries[j][1] != entries[i][1]) break;
+      const auto a = static_cast<std::size_t>(entries[i][2]), b = static_cast<std::size_t>(entries[j][2]);
+      if (segment_distance(start(a), end(a), start(b), end(b)) <= distance)
+        pairs.push_back({entries[i][2], entries[j][2]});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}  // namespace lissom
