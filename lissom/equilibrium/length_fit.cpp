@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStiff = 1e5;        // kappa: strain counts this much more than the place
 constexpr double kAnchor = 3e-3;      // pull of every node to its place in the trial, times 1 / l
-constexpr double kMostStrain = 0.02;  // that a step may aim at
+constexpr double kMostStrain = 0.02;  // by which a step may change the strain of an edge
 constexpr int kSteps = 8;
 constexpr double kDone = 1e-7;  // of an edge length
 
@@ -68,8 +68,7 @@ bool LengthFit::mend(const State& state, double a, const VecX& d, VecX& incremen
   for (int e = 0; e < system.edge_count(); ++e) {
     const EdgeState& now = state.edges[e];
     const double rest = system.rest.edges[e].length, strain = now.length / rest - 1;
-    const double most = std::max(kMostStrain, std::abs(strain));
-    target_[e] = std::clamp(strain + a * now.t.dot(edge_of(d, e)) / rest, -most, most);
+    target_[e] = strain + std::clamp(a * now.t.dot(edge_of(d, e)) / rest, -kMostStrain, kMostStrain);
     trial_[e] = now.length * now.t + edge_of(increment, e);
   }
   mended_.setZero(increment.size());  // on top of the trial, global axes
