@@ -15,6 +15,7 @@ using AddCommand = void (*)(CLI::App& app, Runner& chosen);
 void add_solve(CLI::App& app, Runner& chosen);
 void add_path(CLI::App& app, Runner& chosen);
 void add_modes(CLI::App& app, Runner& chosen);
+void add_branches(CLI::App& app, Runner& chosen);
 void add_dynamics(CLI::App& app, Runner& chosen);
 void add_draw(CLI::App& app, Runner& chosen);
 void add_verify(CLI::App& app, Runner& chosen);
