@@ -157,7 +157,6 @@ ClothEnergies energies_by_triangle(const Situation& s) {
 }
 
 Result<const StructureMembrane*> membrane_of(const Measurement& m, const System& system) {
-  std::vector<std::string> names;
   for (const StructureMembrane& membrane : system.structure.membranes) {
     if (membrane.name == m.expectation.membrane) return &membrane;
   }
