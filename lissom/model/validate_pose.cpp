@@ -77,7 +77,7 @@ bool same(const Selector& a, const Selector& b) {
     if (!same(a.parts[i], b.parts[i])) return false;
   }
   return a.name == b.name && a.fraction == b.fraction && a.point == b.point && a.tolerance == b.tolerance &&
-         a.low == b.low && a.high == b.high;
+         a.low == b.low && a.high == b.high && a.rim == b.rim;
 }
 
 /// Two supports that hold all of the position of the same nodes and move them differently.

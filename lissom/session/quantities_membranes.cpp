@@ -1,85 +1,17 @@
-// Stretches, tensions, energies and areas of membranes.
+// Stretches, tensions and areas of membranes.
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lissom/mechanics/membrane_bend.h"
 #include "lissom/mechanics/membrane_stretch.h"
+#include "lissom/session/cloth.h"
 #include "lissom/session/quantity_families.h"
 
 namespace lissom {
 
 namespace {
-
-using Mat32 = Eigen::Matrix<double, 3, 2>;
-using Mat2 = Eigen::Matrix2d;
-
-/// A triangle of the situation: its two sides from the first corner, drawn, at rest and now.
-struct Sides {
-  Mat32 drawn, now;  ///< m, columns in space
-  Mat2 rest;         ///< m, columns along the material axes
-  const TriangleRest* moduli = nullptr;
-
-  double rest_area() const { return 0.5 * rest.determinant(); }
-  double area() const { return 0.5 * now.col(0).cross(now.col(1)).norm(); }
-  Mat32 gradient() const { return now * rest.inverse(); }
-
-  /// How much of each side makes up a direction of the drawing, laid into the drawn triangle.
-  Vec2 parts(const Vec3& direction) const { return drawn.colPivHouseholderQr().solve(direction); }
-  /// The same for the direction at right angles to it, anticlockwise in the drawn triangle.
-  Vec2 parts_across(const Vec3& direction) const {
-    const Vec3 normal = drawn.col(0).cross(drawn.col(1)).normalized();
-    return parts(normal.cross(direction));
-  }
-};
-
-/// Factors by which the rest corners are larger than RestState says, because the pre-stretch grows with the load.
-Vec2 rest_growth(const Situation& s, const StructureMembrane& membrane) {
-  if (!s.problem->stretches_with_load) return Vec2::Ones();
-  return membrane.pre_stretch.cwiseQuotient(present_pre_stretch(s, membrane));
-}
-
-Sides sides_of(const Situation& s, int t) {
-  const StructureTriangle& triangle = s.system->structure.triangles[t];
-  const TriangleRest& rest = s.system->rest.triangles[t];
-  const Vec2 growth = rest_growth(s, s.system->structure.membranes[triangle.membrane]);
-  Sides sides;
-  sides.moduli = &rest;
-  for (int i = 0; i < 2; ++i) {
-    const int from = triangle.node[0], to = triangle.node[i + 1];
-    sides.drawn.col(i) = s.system->structure.nodes[to] - s.system->structure.nodes[from];
-    sides.now.col(i) = s.state.position(to) - s.state.position(from);
-    sides.rest.col(i) = (rest.corner[i + 1] - rest.corner[0]).cwiseProduct(growth);
-  }
-  return sides;
-}
-
-/// The situation with the triangles whose corners are all selected.
-struct Cloth {
-  const Situation* in = nullptr;
-  std::vector<int> triangles;
-};
-
-Result<Cloth> cloth_at(const Measurement& m) {
-  const Result<const Situation*> found = m.study.situation(m.pose(), m.refine);
-  if (!found) return found.error();
-  const System& system = *found.value()->system;
-  const Result<std::vector<int>> nodes = selected_nodes(m, m.at, system);
-  if (!nodes) return nodes.error();
-  std::vector<bool> selected(system.structure.nodes.size(), false);
-  for (const int node : nodes.value()) selected[node] = true;
-  Cloth cloth{found.value(), {}};
-  for (int t = 0; t < static_cast<int>(system.structure.triangles.size()); ++t) {
-    const std::array<int, 3>& node = system.structure.triangles[t].node;
-    if (selected[node[0]] && selected[node[1]] && selected[node[2]]) cloth.triangles.push_back(t);
-  }
-  if (!cloth.triangles.empty()) return cloth;
-  return Error{ErrorCode::kGeometry, m.where + "/at", "no triangle of a membrane has all its corners in this selection",
-               "select more of a membrane"};
-}
 
 /// Mean over the triangles; `value` gets a triangle's sides, `weight` says how much they count.
 template <class Value, class Weight>
@@ -126,38 +58,7 @@ Mat3 tension(const Sides& sides) {
   return f * piola_tension(sides) * f.transpose() * (sides.rest_area() / sides.area());
 }
 
-/// Energies of the stencils of a term, J; empty when the pose has no such term.
-std::vector<double> term_energies(const Situation& s, std::string_view name) {
-  for (const auto& term : s.problem->potential.terms()) {
-    if (term->name() != name) continue;
-    std::vector<double> energy(static_cast<size_t>(term->groups()) * kLanes);
-    term->energies(s.state, 0, term->groups(), energy.data());
-    return energy;
-  }
-  return {};
-}
-
-/// Per triangle: stretch, and half of the bending at each of its sides, J.
-struct ClothEnergies {
-  std::vector<double> stretch, bending;
-};
-
-ClothEnergies energies_by_triangle(const Situation& s) {
-  const Structure& structure = s.system->structure;
-  ClothEnergies energies{term_energies(s, MembraneStretch::kName), std::vector<double>(structure.triangles.size(), 0)};
-  energies.stretch.resize(structure.triangles.size(), 0);
-  const std::vector<double> hinges = term_energies(s, MembraneBend::kName);
-  size_t stencil = 0;  // hinges without stiffness have none
-  for (size_t h = 0; h < structure.hinges.size() && stencil < hinges.size(); ++h) {
-    if (s.system->rest.hinges[h].stiffness == 0) continue;
-    for (const int t : structure.hinges[h].triangle) energies.bending[t] += 0.5 * hinges[stencil];
-    ++stencil;
-  }
-  return energies;
-}
-
 Result<const StructureMembrane*> membrane_of(const Measurement& m, const System& system) {
-  std::vector<std::string> names;
   for (const StructureMembrane& membrane : system.structure.membranes) {
     if (membrane.name == m.expectation.membrane) return &membrane;
   }
@@ -166,11 +67,6 @@ Result<const StructureMembrane*> membrane_of(const Measurement& m, const System&
 }
 
 }  // namespace
-
-Vec2 present_pre_stretch(const Situation& s, const StructureMembrane& membrane) {
-  if (!s.problem->stretches_with_load) return membrane.pre_stretch;
-  return Vec2::Ones() + s.state.load_factor * (membrane.pre_stretch - Vec2::Ones());
-}
 
 Result<double> membrane_line_stretch(const Measurement& m) {
   return mean(
@@ -240,57 +136,6 @@ Result<double> membrane_rest_area(const Measurement& m) {
   for (const int t : cloth.value().triangles) sum += sides_of(*cloth.value().in, t).rest_area();
   return sum;
 }
-
-double cloth_energy(const Situation& s, const std::vector<bool>& selected) {
-  const Structure& structure = s.system->structure;
-  const auto inside = [&](const auto& nodes) {
-    return std::all_of(nodes.begin(), nodes.end(), [&](int node) { return selected[node]; });
-  };
-  double sum = 0;
-  const std::vector<double> stretch = term_energies(s, MembraneStretch::kName);
-  for (size_t t = 0; t < structure.triangles.size() && t < stretch.size(); ++t) {
-    if (inside(structure.triangles[t].node)) sum += stretch[t];
-  }
-  const std::vector<double> bend = term_energies(s, MembraneBend::kName);
-  size_t stencil = 0;
-  for (size_t h = 0; h < structure.hinges.size() && stencil < bend.size(); ++h) {
-    if (s.system->rest.hinges[h].stiffness == 0) continue;
-    if (inside(structure.hinges[h].node)) sum += bend[stencil];
-    ++stencil;
-  }
-  return sum;
-}
-
-Result<double> membrane_energy(const Measurement& m) {
-  const Result<const Situation*> found = m.study.situation(m.pose(), m.refine);
-  if (!found) return found.error();
-  const Result<std::vector<int>> nodes = selected_nodes(m, m.at, *found.value()->system);
-  if (!nodes) return nodes.error();
-  std::vector<bool> selected(found.value()->system->structure.nodes.size(), false);
-  for (const int node : nodes.value()) selected[node] = true;
-  return cloth_energy(*found.value(), selected);
-}
-
-namespace {
-
-Result<double> energy_density(const Measurement& m, bool stretch, bool bending) {
-  const Result<Cloth> cloth = cloth_at(m);
-  if (!cloth) return cloth.error();
-  const Situation& s = *cloth.value().in;
-  const ClothEnergies energies = energies_by_triangle(s);
-  double sum = 0, area = 0;
-  for (const int t : cloth.value().triangles) {
-    if (stretch) sum += energies.stretch[t];
-    if (bending) sum += energies.bending[t];
-    area += sides_of(s, t).rest_area();
-  }
-  return sum / area;
-}
-
-}  // namespace
-
-Result<double> membrane_energy_density(const Measurement& m) { return energy_density(m, true, true); }
-Result<double> membrane_bending_density(const Measurement& m) { return energy_density(m, false, true); }
 
 Result<double> membrane_pre_stretch(const Measurement& m) {
   const Result<const Situation*> found = m.study.situation(m.pose(), m.refine);

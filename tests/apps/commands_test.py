@@ -11,6 +11,43 @@ TIP = {"quantity": "displacement", "at": "tip", "axis": "-z", "unit": "mm"}
 RADIUS, LENGTH = 1e-3, 0.2  # m
 
 
+class FitFabric(tool.ToolTest):
+    # Exact pulls of a fabric with Y1 40 N/m, Y2 15 N/m, Poisson ratio 0.25.
+    PULLS = [{"angle": 0, "stretch": 1.25, "force_per_width": "14.0625 N/m", "across": 0.87770174},
+             {"angle": 90, "stretch": 1.25, "force_per_width": "5.2734375 N/m", "across": 0.95597339}]
+
+    def document(self, pulls):
+        self.write("jersey.lissom", {"lissom": 1, "fabric_tests": {"jersey": pulls}})
+
+    def test_finds_the_moduli(self):
+        self.document(self.PULLS)
+        out, _ = self.run_tool("fit-fabric", "jersey.lissom")
+        self.assertIn("Y1 40 N/m along the warp, Y2 15 N/m along the weft, Poisson ratio 0.25", out)
+        out, _ = self.run_tool("fit-fabric", "jersey.lissom", "--json")
+        fabric = json.loads(out)["fabrics"][0]
+        self.assertAlmostEqual(fabric["stiffness_1"], 40, delta=1e-3)
+        self.assertAlmostEqual(fabric["shear"], 9.79796, delta=1e-3)
+        self.assertEqual(fabric["measured"], 4)
+
+    def test_prints_a_fabric_that_a_document_takes(self):
+        self.document(self.PULLS)
+        out, _ = self.run_tool("fit-fabric", "jersey.lissom")
+        fabric = json.loads("{" + out.splitlines()[-1] + "}")
+        self.write("sail.lissom", {
+            "lissom": 1, "membrane_materials": fabric,
+            "membranes": [{"name": "sail", "grid": {"size": [10, 10], "cells": [2, 2]}, "material": "jersey"}],
+            "expect": [{"quantity": "bending_stiffness", "membrane": "sail", "value": 0, "tolerance": "1 N mm"}]})
+        self.run_tool("verify", "sail.lissom")
+
+    def test_says_what_is_missing(self):
+        self.document([{k: v for k, v in pull.items() if k != "across"} for pull in self.PULLS])
+        _, err = self.run_tool("fit-fabric", "jersey.lissom", code=3)
+        self.assertIn("Poisson ratio", err)
+        self.document(self.PULLS)
+        _, err = self.run_tool("fit-fabric", "jersey.lissom", "--test", "jersy", code=3)
+        self.assertIn('did you mean "jersey"?', err)
+
+
 class Verify(tool.ToolTest):
     def check(self, *entries, code, **document):
         self.write("claims.lissom", tool.cantilever(expect=list(entries), **document))

@@ -51,6 +51,39 @@ class Solve(tool.ToolTest):
         self.assertIn("wrote", out)
 
 
+class FormFinding(tool.ToolTest):
+    """A film between two rings at 20 mm: the catenoid, 7.52181 mm high where its radius is 45 mm."""
+
+    def film(self, rounds):
+        rim = {"membrane": "film", "rim": "outer"}, {"membrane": "film", "rim": "inner"}
+        return {
+            "lissom": 1,
+            "membranes": [{"name": "film", "material": "elastane-cotton knit", "pre_stretch": 1.4,
+                           "disc": {"radius": 60, "inner_radius": 30, "rings": 8, "sectors": 32}}],
+            "poses": [{"name": "form", "form_finding": {"rounds": rounds},
+                       "supports": [{"at": rim[0], "hold": "pin"}, {"at": rim[1], "hold": "pin", "move": [0, 0, 20]}]}],
+            "expect": [{"quantity": "surface_height", "at": {"point": [45, 0, 0]}, "axis": "z", "unit": "mm",
+                        "value": 7.52181, "tolerance": "1 %"}]}
+
+    def test_is_solved_and_measured(self):
+        self.write("film.lissom", self.film(200))
+        out, _ = self.run_tool("solve", "film.lissom", "--picture", "svg")
+        self.assertIn("form found in", out)
+        self.run_tool("verify", "film.lissom")
+
+    def test_says_when_it_is_not_done(self):
+        self.write("film.lissom", self.film(3))
+        out, _ = self.run_tool("solve", "film.lissom", code=12)
+        self.assertIn("the form still moves by", out)
+        out, _ = self.run_tool("verify", "film.lissom", code=1)
+        self.assertIn("has no form", out)
+
+    def test_has_no_other_load_factor(self):
+        self.write("film.lissom", self.film(200))
+        _, err = self.run_tool("solve", "film.lissom", "--load-factor", "0.5", code=3)
+        self.assertIn("load factor 1", err)
+
+
 class Resume(tool.ToolTest):
     def test_goes_on_to_the_same_bytes(self):
         self.write("beam.lissom", tool.cantilever(force=-0.006))

@@ -82,6 +82,21 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(m.joint_weights, JointWeights::kThesis);
   EXPECT_EQ(m.joints.at(0).kind, JointKind::kBall);
   EXPECT_EQ(m.merge_distance, 1e-6);
+  ASSERT_EQ(m.membrane_materials.size(), 2u);
+  EXPECT_EQ(m.membrane_materials[0].stiffness_2, 15);
+  EXPECT_EQ(m.membrane_materials[0].area_density, 0.12);
+  EXPECT_DOUBLE_EQ(m.membrane_materials[1].stiffness_1, 47.2e3 * 0.5e-3);
+  EXPECT_DOUBLE_EQ(m.membrane_materials[1].area_density, 122 * 0.5e-3);
+  ASSERT_EQ(m.membranes.size(), 4u);
+  EXPECT_EQ(std::get<MembraneGrid>(m.membranes[0].shape).cells_y, 4);
+  EXPECT_EQ(m.membranes[0].pre_stretch, Vec2(1.3, 1.1));
+  EXPECT_EQ(m.membranes[0].warp_angle, 0.5);
+  EXPECT_EQ(m.membranes[0].bending, 2);
+  EXPECT_EQ(std::get<MembraneDisc>(m.membranes[1].shape).inner_radius, 0.1);
+  EXPECT_EQ(std::get<MembraneTriangles>(m.membranes[2].shape).columns, 3);
+  EXPECT_EQ(std::get<MembraneMesh>(m.membranes[3].shape).triangles.at(1), (std::array<int, 3>{0, 2, 3}));
+  EXPECT_EQ(m.membranes[3].rest_folds, RestFolds::kFlat);
+  EXPECT_EQ(m.fabric_tests.at(0).pulls.at(1).across, 0);
   EXPECT_EQ(m.sets.at(1).nodes.parts.at(1).fraction, 0.5);
   const Pose& loaded = m.poses.at(0);
   EXPECT_EQ(loaded.rigid_motion, RigidMotion::kRemove);
@@ -98,6 +113,11 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(loaded.forces.at(0).force[2], -1);
   EXPECT_TRUE(loaded.forces[0].shared);
   EXPECT_EQ(loaded.moments.at(0).moment, Vec3(0.002, 0, -0.001));
+  EXPECT_EQ(loaded.supports[6].at.rim, Selector::Rim::kOuter);
+  EXPECT_EQ(loaded.supports[6].deform(0, 1), 0.5);
+  EXPECT_EQ(loaded.edge_loads.at(0).force_per_length[0], 3);
+  EXPECT_EQ(loaded.stretch_scaling, Scaling::kProportional);
+  EXPECT_EQ(m.poses.at(2).form_finding->rounds, 20);
   EXPECT_EQ(loaded.gravity->scaling, Scaling::kConstant);
   EXPECT_EQ(loaded.path->follow, LoadPath::Follow::kArcLength);
   EXPECT_EQ(m.poses.at(1).gravity->acceleration, Vec3(0, 0, -9.81));
@@ -113,6 +133,8 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(claim.scale, 2);
   EXPECT_EQ(claim.offset, 0.001);
   EXPECT_EQ(claim.fraction, 0.25);
+  EXPECT_EQ(claim.membrane, "disc");
+  EXPECT_EQ(claim.fabric_test, "strips");
   EXPECT_EQ(m.expectations.at(1).tolerance_relative, 0.01);
 }
 
@@ -141,6 +163,9 @@ class RandomModel {
     m.title = "t\u00e4\"\n\t\\";
     m.materials = {{"m/1", positive(), number(0, 0.5), positive(), positive(), "s"}};
     for (int i = 0; i < 4; ++i) m.rods.push_back(rod(i));
+    m.membrane_materials = {{"f/1", positive(), positive(), number(-0.9, 0.9), positive(), positive(), "s"}};
+    for (int i = 0; i < 4; ++i) m.membranes.push_back(membrane(i));
+    m.fabric_tests = {{"t", {{any(), 1 + positive(), positive(), pick(2) ? positive() : 0}}}};
     m.joint_kind = static_cast<JointKind>(pick(3));
     m.joint_weights = static_cast<JointWeights>(pick(2));
     m.joints = {{selector(2), static_cast<JointKind>(pick(3))}};
@@ -163,7 +188,7 @@ class RandomModel {
 
   Selector selector(int depth) {
     Selector s;
-    s.kind = static_cast<Selector::Kind>(pick(depth > 0 ? 8 : 7));
+    s.kind = static_cast<Selector::Kind>(pick(depth > 0 ? 11 : 10));
     if (s.kind == Selector::Kind::kSet) s.name = "s";
     if (s.kind == Selector::Kind::kRod) {
       s.name = "rod1";
@@ -177,8 +202,27 @@ class RandomModel {
       s.low = vector();
       s.high = s.low.cwiseMax(vector());
     }
+    if (s.kind == Selector::Kind::kMembrane || s.kind == Selector::Kind::kRim) s.name = "membrane1";
+    if (s.kind == Selector::Kind::kRim) s.rim = static_cast<Selector::Rim>(pick(3));
     if (s.kind == Selector::Kind::kUnion) s.parts = {selector(depth - 1), selector(depth - 1)};
     return s;
+  }
+
+  Membrane membrane(int index) {
+    Membrane m;
+    m.name = "membrane" + std::to_string(index);
+    m.material = pick(2) ? "f/1" : "soft knit";
+    const Vec2 place(any(), any());
+    if (index == 0) m.shape = MembraneGrid{place, Vec2(positive(), positive()), 1 + pick(9), 1 + pick(9)};
+    if (index == 1) m.shape = MembraneDisc{place, 1 + positive(), pick(2) ? number(0, 1) : 0, 1 + pick(9), 3 + pick(9)};
+    if (index == 2) m.shape = MembraneTriangles{place, positive(), 1 + pick(9), 1 + pick(9)};
+    const double size = positive();
+    if (index == 3) m.shape = MembraneMesh{{Vec3::Zero(), size * Vec3::UnitX(), size * direction()}, {{0, 1, 2}}};
+    m.pre_stretch = pick(2) ? Vec2(positive(), positive()) : Vec2(1.5, 1.5);
+    m.warp_angle = any();
+    m.bending = pick(2) ? positive() : 0;
+    m.rest_folds = static_cast<RestFolds>(pick(2));
+    return m;
   }
 
   Rod rod(int index) {
@@ -225,9 +269,12 @@ class RandomModel {
     p.forces = {{selector(0), vector(), pick(2) == 1, static_cast<Scaling>(pick(2))}};
     p.moments = {{selector(0), vector(), static_cast<Scaling>(pick(2))}};
     p.line_loads = {{{"rod0"}, vector(), static_cast<Scaling>(pick(2))}};
+    p.edge_loads = {{selector(0), vector(), static_cast<Scaling>(pick(2))}};
+    p.stretch_scaling = static_cast<Scaling>(pick(2));
+    if (pick(2)) p.supports[0].deform << direction(), vector(), direction();
     p.gravity = Gravity{vector(), static_cast<Scaling>(pick(2))};
     p.path = LoadPath{any(), positive() * 1e6, 1 + pick(50), LoadPath::Follow::kArcLength, false, pick(2) == 1};
-    p.seed = Seed{direction(), any()};
+    p.seed = Seed{static_cast<Seed::Shape>(pick(2)), direction(), any()};
     return p;
   }
 

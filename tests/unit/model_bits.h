@@ -1,6 +1,7 @@
 #pragma once
 /// All numbers and names of a model as text, every double by its bits: two models are the same when their texts are.
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -55,23 +56,43 @@ class ModelBits {
   void add(const NetworkFile& x) {
     add_all(x.name, x.file, x.unit, x.rods, x.chain_angle, x.edges_per_piece, x.rod_count, x.notes);
   }
-  void add(const Selector& x) { add_all(x.kind, x.name, x.fraction, x.point, x.tolerance, x.low, x.high, x.parts); }
+  void add(const Selector& x) {
+    add_all(x.kind, x.name, x.fraction, x.point, x.tolerance, x.low, x.high, x.rim, x.parts);
+  }
+  void add(const MembraneMaterial& x) {
+    add_all(x.name, x.stiffness_1, x.stiffness_2, x.poisson_ratio, x.thickness, x.area_density, x.source);
+  }
+  void add(const MembraneGrid& x) { add_all(x.corner, x.size, x.cells_x, x.cells_y); }
+  void add(const MembraneDisc& x) { add_all(x.centre, x.radius, x.inner_radius, x.rings, x.sectors); }
+  void add(const MembraneTriangles& x) { add_all(x.corner, x.edge, x.columns, x.rows); }
+  void add(const std::array<int, 3>& x) { add_all(x[0], x[1], x[2]); }
+  void add(const MembraneMesh& x) { add_all(x.points, x.triangles); }
+  void add(const Membrane& x) {
+    add_all(x.name, static_cast<int>(x.shape.index()), x.material, x.pre_stretch, x.warp_angle, x.bending,
+            x.rest_folds);
+    std::visit([this](const auto& shape) { add(shape); }, x.shape);
+  }
+  void add(const StripPull& x) { add_all(x.angle, x.stretch, x.force_per_width, x.across); }
+  void add(const FabricTest& x) { add_all(x.name, x.pulls); }
   void add(const JointChoice& x) { add_all(x.at, x.kind); }
   void add(const NamedSet& x) { add_all(x.name, x.nodes); }
   void add(const Support& x) {
     add_all(x.at, x.kind, x.directions, x.rotations, x.roll, x.normal, x.move, x.move_inwards, x.shrink, x.turn_axis,
             x.turn_angle);
+    for (int i = 0; i < 3; ++i) add(Vec3(x.deform.row(i)));
   }
   void add(const SoftPin& x) { add_all(x.at, x.stiffness, x.target); }
   void add(const PointForce& x) { add_all(x.at, x.force, x.shared, x.scaling); }
   void add(const PointMoment& x) { add_all(x.at, x.moment, x.scaling); }
   void add(const LineLoad& x) { add_all(x.rods, x.force_per_length, x.scaling); }
+  void add(const EdgeLoad& x) { add_all(x.at, x.force_per_length, x.scaling); }
+  void add(const FormFinding& x) { add_all(x.rounds, x.tolerance); }
   void add(const Gravity& x) { add_all(x.acceleration, x.scaling); }
   void add(const LoadPath& x) { add_all(x.from, x.to, x.steps, x.follow, x.stop_at_critical, x.switch_branch); }
-  void add(const Seed& x) { add_all(x.direction, x.amplitude); }
+  void add(const Seed& x) { add_all(x.shape, x.direction, x.amplitude); }
   void add(const Pose& x) {
-    add_all(x.name, x.supports, x.soft_pins, x.forces, x.moments, x.line_loads, x.gravity, x.path, x.seed,
-            x.rigid_motion, x.frozen);
+    add_all(x.name, x.supports, x.soft_pins, x.forces, x.moments, x.line_loads, x.edge_loads, x.gravity, x.path, x.seed,
+            x.rigid_motion, x.frozen, x.stretch_scaling, x.form_finding);
   }
   void add(const MotionCase::Kick& x) { add_all(x.at, x.velocity); }
   void add(const MotionCase& x) {
@@ -79,12 +100,14 @@ class ModelBits {
             x.rho_infinity, x.mass_damping, x.stiffness_damping, x.roll_inertia, x.load_factor, x.kicks);
   }
   void add(const Expectation& x) {
-    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.fraction, x.mode, x.mode_kind, x.combine,
-            x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative, x.tolerance_absolute, x.source);
+    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.fraction, x.mode,
+            x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
+            x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
-    add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.joint_kind, x.joint_weights, x.joints,
-            x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.expectations);
+    add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.fabric_tests,
+            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions,
+            x.expectations);
   }
   template <class... T>
   void add_all(const T&... x) {
