@@ -74,3 +74,17 @@ void measure(const std::string& name, const Model& model) {
 
 }  // namespace
 }  // namespace lissom
+
+int main() {
+  using namespace lissom;
+  networks::SquareFrame frame;
+  measure("frame 8", networks::square_frame_on_fabric(frame));
+  frame.cells = 49;
+  measure("frame 49", networks::square_frame_on_fabric(frame));
+  frame.pre_stretch = 1.6;
+  measure("frame 49 taut", networks::square_frame_on_fabric(frame));
+  frame.pre_stretch = 1.3;
+  frame.r_b = 0.2e-3;
+  measure("frame 49 slack", networks::square_frame_on_fabric(frame));
+  return 0;
+}
