@@ -189,6 +189,13 @@ void check_pose(Checker& check, const Pose& pose, const std::string& where) {
 void check_motion(Checker& check, const MotionCase& motion, const std::string& where) {
   if (!motion.start_pose.empty()) check.known(motion.start_pose, check.poses, "pose", where + "/start_pose");
   check.known(motion.pose, check.poses, "pose", where + "/pose");
+  for (const std::string& name : {motion.start_pose, motion.pose}) {
+    const Pose* pose = check.model.pose(name);
+    if (pose == nullptr || !pose->form_finding) continue;
+    check.fail(ErrorCode::kConflict, where + (name == motion.pose ? "/pose" : "/start_pose"),
+               "pose \"" + name + "\" finds a form, which a motion cannot start from nor go on with",
+               "use a pose without \"form_finding\"");
+  }
   check.positive(motion.duration, where + "/duration", "duration");
   check.positive(motion.step, where + "/step", "time step");
   if (motion.step > motion.duration) {

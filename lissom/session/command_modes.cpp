@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "lissom/equilibrium/form_finding.h"
 #include "lissom/equilibrium/solve.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/modes_json.h"
@@ -102,11 +103,20 @@ Result<std::vector<PoseModes>> modes_command(const Document& document, const Mod
   for (const int p : poses.value()) {
     const Pose& pose = model.poses[p];
     const std::string where = "/poses/" + std::to_string(p);
-    const Result<StaticProblem> problem = make_static_problem(model, system, pose, where);
-    if (!problem) return problem.error();
     PoseModes result;
     result.pose = pose.name;
-    result.equilibrium = solve(problem.value(), start_state(problem.value(), pose), 1, options, context);
+    std::unique_ptr<System> found;  // with the rest shapes that form finding has made
+    if (pose.form_finding) {
+      Result<FoundForm> form = find_form(model, system, pose, where, options, context);
+      if (!form) return form.error();
+      result.equilibrium = std::move(form.value().equilibrium);
+      found = std::move(form.value().system);
+    } else {
+      const Result<StaticProblem> problem = make_static_problem(model, system, pose, where);
+      if (!problem) return problem.error();
+      result.equilibrium = solve(problem.value(), start_state(problem.value(), pose), 1, options, context);
+    }
+    const System& shown = found ? *found : system;
     const Verdict verdict = result.equilibrium.verdict;
     const bool balanced = verdict == Verdict::kStable || verdict == Verdict::kCritical || verdict == Verdict::kUnstable;
     if (!balanced) {
@@ -114,7 +124,7 @@ Result<std::vector<PoseModes>> modes_command(const Document& document, const Mod
     } else if (!(system.rest.total_mass > 0)) {
       result.remark = "no vibrations: the materials have no density";
     } else {
-      const Result<StaticProblem> free = make_static_problem(model, system, pose, where, NullMotions::kKeep);
+      const Result<StaticProblem> free = make_static_problem(model, shown, pose, where, NullMotions::kKeep);
       if (!free) return free.error();
       Result<std::vector<NaturalMode>> modes =
           natural_modes(free.value(), result.equilibrium.state, command.count, RollInertia::kLumped, context);
@@ -123,7 +133,7 @@ Result<std::vector<PoseModes>> modes_command(const Document& document, const Mod
     }
     if (const Status s = output.write(stems[p] + "-modes.json", modes_text(document, result)); !s) return s.error();
     if (balanced) {
-      if (const Status s = write_views(document, pose, system, stems[p], command, result, output); !s) return s.error();
+      if (const Status s = write_views(document, pose, shown, stems[p], command, result, output); !s) return s.error();
     }
     result.files = output.take_written();
     result.summary = modes_summary(result);

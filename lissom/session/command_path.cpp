@@ -162,7 +162,13 @@ Result<std::vector<FollowedPose>> path_command(const Document& document, const P
     const Pose& pose = model.poses[p];
     const LoadPath path = load_path(pose, command);
     if (const Status s = check_path(path); !s) return s.error();
-    const Result<StaticProblem> problem = make_static_problem(model, system, pose, "/poses/" + std::to_string(p));
+    const std::string where = "/poses/" + std::to_string(p);
+    if (pose.form_finding) {
+      return Error{ErrorCode::kConflict, where + "/form_finding",
+                   "pose \"" + pose.name + "\" finds a form, so there is no path to follow",
+                   "choose other poses with --pose, or use `lissom solve`"};
+    }
+    const Result<StaticProblem> problem = make_static_problem(model, system, pose, where);
     if (!problem) return problem.error();
     FollowedPose followed;
     followed.pose = pose.name;
