@@ -15,8 +15,9 @@ namespace lissom::cli {
 namespace {
 
 struct Arguments {
-  std::string file, output, pose, shown = "both", field, camera = "iso", size = "1600x1200", theme = "light", title;
-  bool fields = false;
+  std::string file, output, pose, shown = "both", field, fabric_field, camera = "iso", size = "1600x1200",
+                                  theme = "light", title;
+  bool fields = false, tension = false;
 };
 
 int list_fields() {
@@ -52,6 +53,8 @@ int draw_file(const Arguments& arguments) {
                                                   : Shown::kBoth;
   command.picture.view = camera_named(arguments.camera);
   command.picture.field = arguments.field;
+  command.picture.membrane_field = arguments.fabric_field;
+  command.picture.tension = arguments.tension ? Visibility::kShown : Visibility::kHidden;
   command.picture.title = arguments.title;
   command.picture.theme = arguments.theme == "dark" ? Theme::kDark : Theme::kLight;
   if (const Status s = read_size(arguments.size, command.picture); !s) {
@@ -77,7 +80,10 @@ void add_draw(CLI::App& app, Runner& chosen) {
   command->add_option("--pose", arguments->pose, "Show the supports and forces of this pose (of a document)");
   command->add_option("--state", arguments->shown, "rest, deformed or both (of a result) [both]")
       ->check(CLI::IsMember({"rest", "deformed", "both"}));
-  command->add_option("--field", arguments->field, "Colour the rods by this, such as curvature [plain]");
+  command->add_option("--field", arguments->field, "Colour by this, such as curvature [plain]");
+  command->add_option("--fabric-field", arguments->fabric_field,
+                      "Colour the fabric by this, such as \"smallest stretch\" [as --field]");
+  command->add_flag("--tension", arguments->tension, "Show which way the fabric pulls most");
   command->add_flag("--fields", arguments->fields, "List the fields, with units");
   command->add_option("--camera", arguments->camera, "iso, top, front or right [iso]")
       ->check(CLI::IsMember({"iso", "top", "front", "right"}));

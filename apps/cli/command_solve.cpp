@@ -40,8 +40,31 @@ std::string worst_text(const WorstElement& w) {
   const bool angle = w.unit == "rad";
   const double scale = angle ? 180 / std::numbers::pi : w.unit.empty() ? 100 : 1;
   const std::string unit = angle ? "degrees" : w.unit.empty() ? "%" : w.unit;
+  if (w.triangle >= 0) {
+    return fmt::format("{:.4g} at {}triangle {}", w.value, w.membrane.empty() ? "" : "membrane " + w.membrane + ", ",
+                       w.triangle);
+  }
   return fmt::format("{:.3g} {} at {}{}", scale * w.value, unit, w.rod.empty() ? "" : "rod " + w.rod + ", ",
                      w.edge >= 0 ? fmt::format("edge {}", w.edge) : fmt::format("node {}", w.node));
+}
+
+void print_totals(const Totals& t) {
+  const Vec3 box = 1e3 * (t.high - t.low);
+  line("height",
+       fmt::format("{:.5g} mm, in a box of {:.5g} x {:.5g} x {:.5g} mm", 1e3 * t.height, box.x(), box.y(), box.z()));
+  line("fabric", fmt::format("{:.5g} cm², smallest stretch {:.4g}, slack {:.3g} %", 1e4 * t.area, t.smallest_stretch,
+                             t.area > 0 ? 100 * t.slack_area / t.area : 0));
+}
+
+constexpr size_t kWarningsShown = 8;
+
+void print_warnings(const std::vector<Warning>& warnings) {
+  for (size_t i = 0; i < std::min(warnings.size(), kWarningsShown); ++i) {
+    line("warning", fmt::format("{}, {}: {}", warnings[i].what, warnings[i].where, warnings[i].remedy));
+  }
+  if (warnings.size() > kWarningsShown) {
+    line("warning", fmt::format("{} more are in the result file", warnings.size() - kWarningsShown));
+  }
 }
 
 void print_pose(const SolvedPose& pose) {
@@ -55,9 +78,11 @@ void print_pose(const SolvedPose& pose) {
     line("largest stress", fmt::format("{:.4g} MPa", 1e-6 * pose.largest_stress));
     line("energy", fmt::format("{:.5g} mJ: {}", 1e3 * e.energy, energy_shares(e)));
   }
-  for (const WorstElement& w : e.worst) line("largest " + w.what, worst_text(w));
+  if (pose.totals) print_totals(*pose.totals);
+  for (const WorstElement& w : e.worst) line(w.triangle >= 0 ? w.what : "largest " + w.what, worst_text(w));
   for (const std::string& motion : pose.removed_motions) line("taken out", motion);
   for (const std::string& note : pose.notes) line("note", note);
+  print_warnings(pose.warnings);
   for (const std::filesystem::path& file : pose.files) line("wrote", file.string());
 }
 

@@ -58,6 +58,8 @@ struct WorstElement {
   int node = -1, edge = -1;
   double value = 0;  ///< SI
   std::string unit;
+  std::string membrane = {};  ///< name
+  int triangle = -1;          ///< of the structure
 };
 
 struct Equilibrium {

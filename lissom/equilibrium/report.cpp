@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lissom/mechanics/membrane_strain.h"
+
 namespace lissom {
 
 namespace {
@@ -12,6 +14,28 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", x);
   return text;
+}
+
+/// Fabric pulls rods together and may lose its tension: the most compressed edge and the slackest triangle.
+void find_worst_of_membranes(const StaticProblem& problem, Equilibrium& result) {
+  const System& system = *problem.system;
+  const Structure& structure = system.structure;
+  WorstElement compression{"compression", "", -1, -1, 0, ""};
+  for (int e = 0; e < system.edge_count(); ++e) {
+    const double s = 1 - result.state.edges[e].length / system.rest.edges[e].length;
+    if (s > compression.value) {
+      compression = {compression.what, structure.rods[structure.edges[e].rod].name, -1, e, s, ""};
+    }
+  }
+  if (compression.edge >= 0) result.worst.push_back(compression);
+  const double share = problem.stretches_with_load ? result.state.load_factor : 1;
+  const std::vector<TriangleStretch> stretches = triangle_stretches(system, result.state, share);
+  const auto least = std::min_element(stretches.begin(), stretches.end(),
+                                      [](const auto& a, const auto& b) { return a.smallest < b.smallest; });
+  WorstElement slackest{"smallest stretch", "", -1, -1, least->smallest, "1"};
+  slackest.triangle = static_cast<int>(least - stretches.begin());
+  slackest.membrane = structure.membranes[structure.triangles[slackest.triangle].membrane].name;
+  result.worst.push_back(slackest);
 }
 
 void find_worst(const StaticProblem& problem, const VecX& free_gradient, Equilibrium& result) {
@@ -61,6 +85,7 @@ void find_worst(const StaticProblem& problem, const VecX& free_gradient, Equilib
   }
   if (strain.edge >= 0) result.worst.push_back(strain);
   if (turn.node >= 0) result.worst.push_back(turn);
+  if (!structure.triangles.empty()) find_worst_of_membranes(problem, result);
 }
 
 }  // namespace

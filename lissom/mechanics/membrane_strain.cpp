@@ -1,7 +1,10 @@
 #include "lissom/mechanics/membrane_strain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "lissom/mechanics/membrane_stretch.h"
 
 namespace lissom {
 
@@ -21,24 +24,22 @@ Principal principal(double xx, double yy, double xy) {
 
 }  // namespace
 
-std::array<Vec2, 3> rest_corners(const Structure& structure, const StructureTriangle& triangle) {
-  std::array<Vec2, 3> corners = triangle.corner;
-  for (Vec2& corner : corners) corner = corner.cwiseQuotient(structure.membranes[triangle.membrane].pre_stretch);
-  return corners;
+double stretch_share(const Pose& pose, double load_factor) {
+  return pose.stretch_scaling == Scaling::kProportional ? load_factor : 1;
 }
 
-TriangleStretch triangle_stretch(const Structure& structure, const StructureTriangle& triangle,
-                                 const std::vector<Vec3>& positions) {
-  const std::array<Vec2, 3> rest = rest_corners(structure, triangle);
+TriangleStretch triangle_stretch(const TriangleRest& rest, const std::array<Vec3, 3>& now, const Vec2& pre_stretch,
+                                 double stretch_share) {
+  const Vec2 growth = pre_stretch.cwiseQuotient(Vec2::Ones() + stretch_share * (pre_stretch - Vec2::Ones()));
   Eigen::Matrix2d sides;
-  sides << rest[1] - rest[0], rest[2] - rest[0];
-  Eigen::Matrix<double, 3, 2> now;
-  const Vec3& origin = positions[triangle.node[0]];
-  now << positions[triangle.node[1]] - origin, positions[triangle.node[2]] - origin;
+  sides << (rest.corner[1] - rest.corner[0]).cwiseProduct(growth),
+      (rest.corner[2] - rest.corner[0]).cwiseProduct(growth);
+  Eigen::Matrix<double, 3, 2> moved;
+  moved << now[1] - now[0], now[2] - now[0];
   TriangleStretch stretch;
-  stretch.gradient = now * sides.inverse();
+  stretch.gradient = moved * sides.inverse();
   stretch.rest_area = std::abs(sides.determinant()) / 2;
-  stretch.area = Vec3(now.col(0)).cross(Vec3(now.col(1))).norm() / 2;
+  stretch.area = Vec3(moved.col(0)).cross(Vec3(moved.col(1))).norm() / 2;
   const Eigen::Matrix2d c = stretch.gradient.transpose() * stretch.gradient;
   stretch.largest = std::sqrt(std::max(0.0, principal(c(0, 0), c(1, 1), c(0, 1)).first));
   // The product of the stretches is the ratio of the areas: more exact than the second eigenvalue when that is small.
@@ -46,15 +47,27 @@ TriangleStretch triangle_stretch(const Structure& structure, const StructureTria
   return stretch;
 }
 
-TriangleTension triangle_tension(const MembraneMaterial& material, const TriangleStretch& stretch) {
+std::vector<TriangleStretch> triangle_stretches(const System& system, const State& state, double stretch_share) {
+  const Structure& structure = system.structure;
+  std::vector<TriangleStretch> stretches;
+  stretches.reserve(structure.triangles.size());
+  for (size_t t = 0; t < structure.triangles.size(); ++t) {
+    const StructureTriangle& triangle = structure.triangles[t];
+    std::array<Vec3, 3> now;
+    for (int k = 0; k < 3; ++k) now[k] = state.position(triangle.node[k]);
+    const Vec2& pre_stretch = structure.membranes[triangle.membrane].pre_stretch;
+    stretches.push_back(triangle_stretch(system.rest.triangles[t], now, pre_stretch, stretch_share));
+  }
+  return stretches;
+}
+
+TriangleTension triangle_tension(const TriangleRest& rest, const TriangleStretch& stretch) {
   const Eigen::Matrix<double, 3, 2>& f = stretch.gradient;
   const Eigen::Matrix2d e = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
-  const double mu = material.poisson_ratio, gamma = 1 / (1 - mu * mu);
-  const double y1 = gamma * material.stiffness_1, y2 = gamma * material.stiffness_2;
-  const double cross = gamma * mu * std::sqrt(material.stiffness_1 * material.stiffness_2);
+  const auto c = SheetModuli<double>::of(rest.stiffness_1, rest.stiffness_2, rest.poisson_ratio);
   Eigen::Matrix2d s;  // second Piola-Kirchhoff, N/m
-  s << y1 * e(0, 0) + cross * e(1, 1), 2 * material.shear() * e(0, 1), 2 * material.shear() * e(0, 1),
-      cross * e(0, 0) + y2 * e(1, 1);
+  s << c.c11 * e(0, 0) + c.c12 * e(1, 1), 2 * c.shear * e(0, 1), 2 * c.shear * e(0, 1),
+      c.c12 * e(0, 0) + c.c22 * e(1, 1);
   TriangleTension tension;
   tension.energy = (s.cwiseProduct(e)).sum() / 2;
   // F S F^T / J in an orthonormal basis of the plane of the triangle.

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "lissom/core/types.h"
-#include "lissom/model/membrane.h"
-#include "lissom/model/structure.h"
+#include "lissom/mechanics/rest_state.h"
+#include "lissom/mechanics/state.h"
+#include "lissom/mechanics/system.h"
+#include "lissom/model/pose.h"
 
 namespace lissom {
 
@@ -25,13 +27,17 @@ struct TriangleTension {
   double energy = 0;                 ///< J/m^2, per unstretched area
 };
 
-/// Corners of the unstretched triangle along the material axes, m: those of the drawing divided by the pre-stretch.
-std::array<Vec2, 3> rest_corners(const Structure& structure, const StructureTriangle& triangle);
+/// Part of the pre-stretch s that is there at a load factor: with `share` it is 1 + share (s - 1).
+double stretch_share(const Pose& pose, double load_factor);
 
-/// `positions`: of all nodes, m.
-TriangleStretch triangle_stretch(const Structure& structure, const StructureTriangle& triangle,
-                                 const std::vector<Vec3>& positions);
+/// `now`: corners in space, m. `pre_stretch`: the full one, by which the rest corners were divided.
+TriangleStretch triangle_stretch(const TriangleRest& rest, const std::array<Vec3, 3>& now, const Vec2& pre_stretch,
+                                 double stretch_share = 1);
 
-TriangleTension triangle_tension(const MembraneMaterial& material, const TriangleStretch& stretch);
+/// Of all triangles of the structure.
+std::vector<TriangleStretch> triangle_stretches(const System& system, const State& state, double stretch_share);
+
+/// `rest` for the moduli.
+TriangleTension triangle_tension(const TriangleRest& rest, const TriangleStretch& stretch);
 
 }  // namespace lissom

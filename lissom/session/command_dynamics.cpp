@@ -101,7 +101,8 @@ Status write_files(const Document& document, const System& system, const MotionC
       if (!drawing) return drawing.error();
       drawings.push_back(std::move(drawing).value());
     }
-    const MotionStrip strip{title, command.field, command.view, command.strip_width};
+    const PictureStrip strip{
+        .title = title, .field = command.field, .view = command.view, .width = command.strip_width};
     const Result<std::string> picture = draw_strip(strip, result, shown, std::move(drawings), command.picture);
     if (Status s = output.write(stem + "-strip" + ending, picture); !s) return s;
   }

@@ -5,6 +5,7 @@
 
 #include "lissom/equilibrium/form_finding.h"
 #include "lissom/equilibrium/solve.h"
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/modes_json.h"
 #include "lissom/session/pose_files.h"
@@ -55,12 +56,13 @@ std::vector<ModeView> mode_views(const System& system, const PoseModes& result) 
 Status write_views(const Document& document, const Pose& pose, const System& system, const std::string& stem,
                    const ModesCommand& command, const PoseModes& result, Output& output) {
   const std::vector<ModeView> views = mode_views(system, result);
-  const FieldSource still{document.model, system, result.equilibrium.state, nullptr};
+  const double share = stretch_share(pose, result.equilibrium.state.load_factor);
+  const FieldSource still{document.model, system, result.equilibrium.state, nullptr, share};
   if (command.picture && !views.empty()) {
     std::vector<Panel> panels;
     for (const ModeView& view : views) {
       const Result<Drawing> ghost = draw_state(still, nullptr);
-      const Result<Drawing> solid = draw_state({document.model, system, view.state, nullptr}, &pose);
+      const Result<Drawing> solid = draw_state({document.model, system, view.state, nullptr, share}, &pose);
       if (!ghost) return ghost.error();
       if (!solid) return solid.error();
       panels.push_back({{{ghost.value(), Layer::Style::kGhost}, {solid.value(), Layer::Style::kSolid}}, view.caption});
@@ -76,7 +78,7 @@ Status write_views(const Document& document, const Pose& pose, const System& sys
   }
   if (command.vtu == ParaView::kNo) return {};
   for (const ModeView& view : views) {
-    const Result<Drawing> drawing = draw_state({document.model, system, view.state, nullptr}, nullptr);
+    const Result<Drawing> drawing = draw_state({document.model, system, view.state, nullptr, share}, nullptr);
     if (!drawing) return drawing.error();
     if (const Status s = output.write(stem + "-" + view.stem + ".vtu", vtu_bytes(drawing.value())); !s) return s;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/path_json.h"
 #include "lissom/session/place_name.h"
@@ -120,7 +121,9 @@ Status write_files(const Document& document, const Pose& pose, const System& sys
   return write_series(
       stem + "-path", times,
       [&](int i) {
-        return draw_state({document.model, system, path.points[i].state, &path.points[i].reaction}, nullptr);
+        const PathPoint& point = path.points[i];
+        const double share = stretch_share(pose, point.state.load_factor);
+        return draw_state({document.model, system, point.state, &point.reaction, share}, nullptr);
       },
       output);
 }

@@ -5,6 +5,7 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/equilibrium/form_finding.h"
 #include "lissom/equilibrium/solve.h"
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/output.h"
 #include "lissom/session/pose_files.h"
@@ -21,7 +22,7 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
   if (const Status s = output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e)); !s)
     return s;
   if (e.verdict == Verdict::kBadStart) return {};
-  const FieldSource source{document.model, system, e.state, &e.reaction};
+  const FieldSource source{document.model, system, e.state, &e.reaction, stretch_share(pose, e.state.load_factor)};
   Result<Drawing> drawing = draw_state(source, &pose);
   if (!drawing) return drawing.error();
   solved.largest_displacement = 0;
@@ -29,6 +30,8 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
     solved.largest_displacement =
         std::max(solved.largest_displacement, (e.state.position(i) - system.structure.nodes[i]).norm());
   }
+  if (!system.structure.triangles.empty()) solved.totals = totals(system, e.state, source.stretch_share);
+  solved.warnings = warnings(system, e.state, source.stretch_share);
   const std::vector<double>& stress = drawing.value().field("stress")->values;
   if (!stress.empty()) solved.largest_stress = *std::max_element(stress.begin(), stress.end());
   if (command.vtu == ParaView::kYes) {
@@ -36,7 +39,8 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
   }
   if (!command.picture) return {};
   const PictureOptions options{.title = document.model.title.empty() ? document.name : document.model.title,
-                               .field = command.field};
+                               .field = command.field,
+                               .membrane_field = field_of_membranes(drawing.value(), command.field)};
   const std::vector<Panel> panels{{{{draw_rest(system), Layer::Style::kGhost}, {drawing.value()}}, pose.name}};
   return output.write(stem + (*command.picture == ImageFormat::kSvg ? ".svg" : ".png"),
                       draw_picture(panels, options, *command.picture));

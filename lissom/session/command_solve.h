@@ -11,6 +11,8 @@
 #include "lissom/equilibrium/options.h"
 #include "lissom/session/paraview.h"
 #include "lissom/session/result_file.h"
+#include "lissom/session/totals.h"
+#include "lissom/session/warnings.h"
 #include "lissom/view/canvas.h"
 
 namespace lissom {
@@ -33,6 +35,8 @@ struct SolvedPose {
   std::vector<std::string> removed_motions;
   double largest_displacement = 0;  ///< m
   double largest_stress = 0;        ///< Pa
+  std::optional<Totals> totals;     ///< of structures with membranes
+  std::vector<Warning> warnings;
   Equilibrium equilibrium;
   std::vector<std::filesystem::path> files;  ///< written
   std::string summary;                       ///< JSON, one line

@@ -1,5 +1,6 @@
 #include "lissom/session/drawable.h"
 
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/pose_files.h"
 #include "lissom/session/study.h"
@@ -43,7 +44,7 @@ Result<Drawing> draw(const Drawable& drawable, Shape shape) {
       make_static_problem(model, drawable.system, pose, "/poses/" + std::to_string(drawable.pose));
   if (!problem) return problem.error();
   const VecX reaction = support_reactions(problem.value(), state);
-  return draw_state({model, drawable.system, state, &reaction}, &pose);
+  return draw_state({model, drawable.system, state, &reaction, stretch_share(pose, state.load_factor)}, &pose);
 }
 
 }  // namespace lissom

@@ -14,7 +14,7 @@ std::vector<double> smallest_stretch(const FieldSource& source);
 std::vector<double> largest_tension(const FieldSource& source);
 std::vector<double> smallest_tension(const FieldSource& source);
 std::vector<double> slack(const FieldSource& source);
-std::vector<double> membrane_energy(const FieldSource& source);
+std::vector<double> membrane_energy_density(const FieldSource& source);
 
 // Per node; NaN where there is no joint.
 std::vector<double> joint_force(const FieldSource& source);
@@ -22,7 +22,8 @@ std::vector<double> joint_moment(const FieldSource& source);
 
 /// Positions of all nodes, m.
 std::vector<Vec3> node_positions(const FieldSource& source);
-/// Of every triangle; empty where its material is unknown.
-std::vector<TriangleTension> triangle_tensions(const FieldSource& source, const std::vector<Vec3>& positions);
+/// Of every triangle.
+std::vector<TriangleStretch> triangle_stretches(const FieldSource& source);
+std::vector<TriangleTension> triangle_tensions(const FieldSource& source);
 
 }  // namespace lissom

@@ -130,6 +130,7 @@ constexpr auto kTriangle = Field::Place::kTriangle;
 constexpr auto kMembranes = FieldNeeds::kMembranes;
 constexpr auto kPlain = Field::Colors::kSequential;
 constexpr auto kSigned = Field::Colors::kDiverging;
+constexpr auto kPale = Field::Colors::kPale;
 
 constexpr FieldInfo kFields[] = {
     {"axial strain", "", "%", 100, kEdge, kSigned, "stretch of each edge", axial_strain},
@@ -151,30 +152,29 @@ constexpr FieldInfo kFields[] = {
      kMembranes},
     {"joint moment", "N m", "N mm", 1000, kNode, kPlain, "largest moment that a rod passes on to the joint",
      joint_moment, kMembranes},
-    {"largest stretch", "", "", 1, kTriangle, kPlain, "larger principal stretch of the fabric, 1: as long as at rest",
+    {"largest stretch", "", "", 1, kTriangle, kPale, "larger principal stretch of the fabric, 1: as long as at rest",
      largest_stretch, kMembranes},
-    {"smallest stretch", "", "", 1, kTriangle, kPlain, "smaller principal stretch of the fabric, below 1: slack",
+    {"smallest stretch", "", "", 1, kTriangle, kPale, "smaller principal stretch of the fabric, below 1: slack",
      smallest_stretch, kMembranes},
     {"largest tension", "N/m", "N/m", 1, kTriangle, kSigned, "larger principal tension of the fabric, per length",
      largest_tension, kMembranes},
     {"smallest tension", "N/m", "N/m", 1, kTriangle, kSigned, "smaller principal tension of the fabric, per length",
      smallest_tension, kMembranes},
-    {"slack", "", "", 1, kTriangle, kPlain, "1 where the smallest stretch is below 1, else 0", slack, kMembranes},
-    {"fabric energy", "J/m^2", "mJ/m²", 1000, kTriangle, kPlain, "elastic energy of the fabric per unstretched area",
-     membrane_energy, kMembranes},
+    {"slack", "", "", 1, kTriangle, kPale, "1 where the smallest stretch is below 1, else 0", slack, kMembranes},
+    {"fabric energy", "J/m^2", "mJ/m²", 1000, kTriangle, kPale, "elastic energy of the fabric per unstretched area",
+     membrane_energy_density, kMembranes},
 };
 
 /// What pictures mark on membranes whatever colours them.
 void add_marks(const FieldSource& source, Drawing& drawing) {
   const Structure& structure = source.system.structure;
   if (structure.triangles.empty()) return;
-  const std::vector<Vec3> positions = node_positions(source);
-  const std::vector<TriangleTension> tensions = triangle_tensions(source, positions);
+  const std::vector<TriangleStretch> stretches = triangle_stretches(source);
+  const std::vector<TriangleTension> tensions = triangle_tensions(source);
   for (size_t m = 0; m < structure.membranes.size(); ++m) {
     const int first = structure.membranes[m].first_triangle;
     for (int t = first; t < first + structure.membranes[m].triangles; ++t) {
-      const TriangleStretch stretch = triangle_stretch(structure, structure.triangles[t], positions);
-      drawing.membranes[m].smallest_stretch.push_back(stretch.smallest);
+      drawing.membranes[m].smallest_stretch.push_back(stretches[t].smallest);
       drawing.membranes[m].tension.push_back(tensions[t].direction * std::max(0.0, tensions[t].largest));
     }
   }
@@ -207,6 +207,12 @@ Result<Drawing> draw_state(const FieldSource& source, const Pose* pose) {
   if (!markers) return markers.error();
   drawing.markers = std::move(markers).value();
   return drawing;
+}
+
+std::string field_of_membranes(const Drawing& drawing, const std::string& field) {
+  const Field* rods = field.empty() ? nullptr : drawing.field(field);
+  if (drawing.membranes.empty() || rods == nullptr || rods->place != Field::Place::kEdge) return {};
+  return "smallest stretch";
 }
 
 Drawing draw_rest(const System& system) { return bare_drawing(system, drawn_state(system)); }

@@ -2,6 +2,7 @@
 /// Named fields of a state, for pictures and ParaView: the list is in fields.cpp.
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "lissom/equilibrium/static_problem.h"
@@ -16,6 +17,7 @@ struct FieldSource {
   const System& system;
   const State& state;
   const VecX* reaction = nullptr;
+  double stretch_share = 1;  ///< part of the pre-stretch of membranes that is there (stretch_share())
 };
 
 /// Structures without membranes have no fields of membranes, nor those that matter for membranes only.
@@ -36,6 +38,10 @@ std::span<const FieldInfo> field_list();
 
 /// The structure in this state with every field and, unless `pose` is null, with its supports and forces.
 Result<Drawing> draw_state(const FieldSource& source, const Pose* pose);
+
+/// What colours membranes in a picture whose rods have the colours of `field`: "smallest stretch" where there are
+/// membranes that `field` has no values for, else nothing.
+std::string field_of_membranes(const Drawing& drawing, const std::string& field);
 
 /// The drawn shape without fields, for comparison.
 Drawing draw_rest(const System& system);

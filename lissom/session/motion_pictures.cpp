@@ -1,7 +1,6 @@
 #include "lissom/session/motion_pictures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <utility>
@@ -11,10 +10,7 @@ namespace lissom {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kBestAspect = 1.6;  ///< of a strip, width over height
-constexpr double kHeadroom = 1.3;    ///< above the largest energy, for the legend
-// Parts of a strip over its width: height of a caption, height of title and ruler, width of the legend.
-constexpr double kCaption = 0.03, kFrame = 0.09, kLegend = 0.11;
+constexpr double kHeadroom = 1.3;  ///< above the largest energy, for the legend
 
 template <class Of>
 ChartSeries series(std::string name, const MotionResult& result, const Of& of) {
@@ -33,25 +29,6 @@ Chart chart_over_time(const std::string& title, ChartAxis y) {
   chart.x = {.label = "time", .unit = "s"};
   chart.y = std::move(y);
   return chart;
-}
-
-/// Width over height of what is seen of all drawings together.
-double aspect_of(const std::vector<Drawing>& drawings, const Viewpoint& view) {
-  std::vector<Vec3> points;
-  std::vector<double> radii;
-  for (const Drawing& drawing : drawings) {
-    for (const RodStrip& rod : drawing.rods) {
-      for (size_t i = 0; i < rod.points.size(); ++i) {
-        const size_t edge = std::min(i, rod.b.size() - 1);
-        points.push_back(rod.points[i]);
-        radii.push_back(std::max(rod.r_b[edge], rod.r_n[edge]));
-      }
-    }
-  }
-  constexpr double kAmple = 1e9;
-  const double width = 1 / Camera(view, points, radii, Vec2::Zero(), Vec2(1, kAmple)).scale();
-  const double height = 1 / Camera(view, points, radii, Vec2::Zero(), Vec2(kAmple, 1)).scale();
-  return std::clamp(width / height, 0.1, 10.0);
 }
 
 }  // namespace
@@ -99,23 +76,8 @@ std::vector<int> strip_records(const MotionResult& result, int panels) {
   return shown;
 }
 
-Result<std::string> draw_strip(const MotionStrip& strip, const MotionResult& result, const std::vector<int>& shown,
+Result<std::string> draw_strip(const PictureStrip& strip, const MotionResult& result, const std::vector<int>& shown,
                                std::vector<Drawing> drawings, ImageFormat format) {
-  const double aspect = aspect_of(drawings, strip.view);
-  const double pictures_width = strip.width * (strip.field.empty() ? 1 : 1 - kLegend);
-  const int count = static_cast<int>(drawings.size());
-  PictureOptions options;
-  double best = 0;
-  for (int columns = 1; columns <= count; ++columns) {
-    const int rows = (count + columns - 1) / columns;
-    const double height = rows * (pictures_width / columns / aspect + kCaption * strip.width) + kFrame * strip.width;
-    const double empty = static_cast<double>(rows * columns - count) / count;
-    const double miss = std::abs(std::log(strip.width / height / kBestAspect)) + empty;
-    if (columns > 1 && miss >= best) continue;
-    best = miss;
-    options.columns = columns;
-    options.height = static_cast<int>(height);
-  }
   std::vector<Panel> panels;
   for (size_t i = 0; i < drawings.size(); ++i) {
     const MotionRecord& record = result.records[shown[i]];
@@ -123,12 +85,7 @@ Result<std::string> draw_strip(const MotionStrip& strip, const MotionResult& res
     if (record.watches.size() == 1) caption += fmt::format(", turned by {:.1f}°", kDegrees * record.watches[0].turn);
     panels.push_back({{{std::move(drawings[i]), Layer::Style::kSolid}}, std::move(caption)});
   }
-  options.title = strip.title;
-  options.field = strip.field;
-  options.view = strip.view;
-  options.width = strip.width;
-  options.forces = Visibility::kHidden;
-  return draw_picture(panels, options, format);
+  return draw_panels(strip, panels, format);
 }
 
 }  // namespace lissom

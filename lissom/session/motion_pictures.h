@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lissom/motion/motion.h"
+#include "lissom/session/picture_strip.h"
 #include "lissom/view/chart.h"
-#include "lissom/view/picture.h"
 
 namespace lissom {
 
@@ -20,15 +20,8 @@ Chart turn_chart(const std::string& title, const MotionResult& result, const std
 /// Records of a strip of at most `panels`, the first and the last among them.
 std::vector<int> strip_records(const MotionResult& result, int panels);
 
-struct MotionStrip {
-  std::string title;
-  std::string field;  ///< that colours it; empty: plain
-  Viewpoint view;
-  int width = 0;  ///< px; the height follows from what is seen
-};
-
 /// `drawings`: one for each of the `shown` records. Captions tell the time, and the turn when one place is watched.
-Result<std::string> draw_strip(const MotionStrip& strip, const MotionResult& result, const std::vector<int>& shown,
+Result<std::string> draw_strip(const PictureStrip& strip, const MotionResult& result, const std::vector<int>& shown,
                                std::vector<Drawing> drawings, ImageFormat format);
 
 }  // namespace lissom

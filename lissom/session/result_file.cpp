@@ -4,9 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/model/document.h"
 #include "lissom/session/layout_json.h"
 #include "lissom/session/state_json.h"
+#include "lissom/session/totals.h"
+#include "lissom/session/warnings.h"
 
 namespace lissom {
 
@@ -29,9 +32,12 @@ Json modes_of(const Equilibrium& e) {
 Json worst_of(const Equilibrium& e) {
   Json list = Json::array();
   for (const WorstElement& w : e.worst) {
-    Json entry = {{"what", w.what}, {"rod", w.rod}};
+    Json entry = {{"what", w.what}};
+    if (w.triangle < 0) entry["rod"] = w.rod;
+    if (w.triangle >= 0) entry["membrane"] = w.membrane;
     if (w.node >= 0) entry["node"] = w.node;
     if (w.edge >= 0) entry["edge"] = w.edge;
+    if (w.triangle >= 0) entry["triangle"] = w.triangle;
     entry["value"] = w.value;
     entry["unit"] = w.unit.empty() ? "1" : w.unit;
     list.push_back(std::move(entry));
@@ -59,6 +65,27 @@ Json verdict_of(const Equilibrium& e) {
   return {{"name", info.name}, {"exit_code", info.exit_code}, {"message", e.message}};
 }
 
+Json point(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
+Json totals_of(const Totals& t) {
+  return {{"low", point(t.low)},
+          {"high", point(t.high)},
+          {"height", t.height},
+          {"area", t.area},
+          {"rest_area", t.rest_area},
+          {"slack_area", t.slack_area},
+          {"smallest_stretch", t.smallest_stretch},
+          {"units", {{"length", "m"}, {"area", "m^2"}}}};
+}
+
+Json warnings_of(const std::vector<Warning>& warnings) {
+  Json list = Json::array();
+  for (const Warning& w : warnings) {
+    list.push_back({{"what", w.what}, {"where", w.where}, {"value", w.value}, {"unit", w.unit}, {"remedy", w.remedy}});
+  }
+  return list;
+}
+
 Json summary_of(const Pose& pose, const System& system, const std::vector<std::string>& removed, const Equilibrium& e) {
   Json json;
   json["pose"] = pose.name;
@@ -71,6 +98,11 @@ Json summary_of(const Pose& pose, const System& system, const std::vector<std::s
   json["energy"] = {{"total", e.energy}, {"terms", energies_of(e)}, {"unit", "J"}};
   json["modes"] = {{"stiffness", modes_of(e)}, {"negative", e.negative_modes}, {"unit", "N/m"}};
   json["worst"] = worst_of(e);
+  if (!system.structure.triangles.empty() && e.verdict != Verdict::kBadStart) {
+    const double share = stretch_share(pose, e.state.load_factor);
+    json["totals"] = totals_of(totals(system, e.state, share));
+    json["warnings"] = warnings_of(warnings(system, e.state, share));
+  }
   json["removed_motions"] = removed;
   json["notes"] = system.structure.notes;
   return json;

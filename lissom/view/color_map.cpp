@@ -33,6 +33,13 @@ constexpr std::array<Color, 7> kBlueRed = {{{0.05, 0.24, 0.58},
                                             {0.83, 0.34, 0.27},
                                             {0.58, 0.04, 0.12}}};
 
+constexpr std::array<Color, 6> kCream = {{{0.98, 0.96, 0.90},
+                                          {0.82, 0.90, 0.81},
+                                          {0.60, 0.81, 0.76},
+                                          {0.35, 0.68, 0.71},
+                                          {0.17, 0.52, 0.62},
+                                          {0.10, 0.36, 0.50}}};
+
 }  // namespace
 
 Color mix(const Color& a, const Color& b, double weight) {
@@ -45,8 +52,9 @@ std::array<uint8_t, 3> to_bytes(const Color& color) {
 }
 
 Color map_color(Field::Colors colors, double at) {
-  const std::span<const Color> table =
-      colors == Field::Colors::kSequential ? std::span<const Color>(kViridis) : std::span<const Color>(kBlueRed);
+  const std::span<const Color> table = colors == Field::Colors::kSequential ? std::span<const Color>(kViridis)
+                                       : colors == Field::Colors::kPale     ? std::span<const Color>(kCream)
+                                                                            : std::span<const Color>(kBlueRed);
   const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(table.size() - 1);
   const size_t index = std::min(static_cast<size_t>(place), table.size() - 2);
   return mix(table[index], table[index + 1], place - static_cast<double>(index));

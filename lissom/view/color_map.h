@@ -1,5 +1,5 @@
 #pragma once
-/// Colours of numbers. Both maps keep their order for readers with colour vision deficiencies; pictures never use
+/// Colours of numbers. All maps keep their order for readers with colour vision deficiencies; pictures never use
 /// colour alone (the legend carries numbers).
 
 #include <array>
@@ -23,7 +23,7 @@ Color mix(const Color& a, const Color& b, double weight);
 std::array<uint8_t, 3> to_bytes(const Color& color);
 
 /// `at` in 0..1, clamped. Sequential: viridis, by van der Walt and Smith, released as CC0 1.0, sampled at 17 places.
-/// Diverging: blue, near-white at 1/2, red; our own.
+/// Diverging: blue, near-white at 1/2, red; our own. Pale: cream to deep teal, lightness falling evenly; our own.
 Color map_color(Field::Colors colors, double at);
 
 /// Colour of places without a value (NaN).

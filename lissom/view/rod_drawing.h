@@ -47,6 +47,7 @@ struct Field {
   enum class Colors {
     kSequential,  ///< one-sided quantities: radius, energy density
     kDiverging,   ///< signed quantities, symmetric about zero: negative blue, positive red
+    kPale,        ///< one-sided quantities of membranes: rods stand out before them
   };
   std::string name;
   std::string unit;          ///< of the values as stored, SI: "Pa", "1/m"; empty: a pure number

@@ -8,10 +8,11 @@ namespace lissom {
 namespace {
 
 // px; neighbouring faces overlap, or antialiasing would show the page between them. More where many small ones meet.
-constexpr double kSeam = 0.3, kClothSeam = 0.75;
+constexpr double kSeam = 0.3, kClothSeam = 0.5;
+constexpr double kLongestMitre = 4;  // of the seam, at sharp corners of cloth
 
 /// Convex polygon with its edges moved outwards (bevelled at sharp corners), px.
-void widen(std::span<const Vec2> points, double seam, std::vector<Vec2>& widened) {
+void widen(std::span<const Vec2> points, std::vector<Vec2>& widened) {
   const size_t count = points.size();
   double area = 0;
   for (size_t i = 0; i < count; ++i) {
@@ -19,7 +20,7 @@ void widen(std::span<const Vec2> points, double seam, std::vector<Vec2>& widened
     const Vec2& q = points[(i + 1) % count];
     area += p.x() * q.y() - p.y() * q.x();
   }
-  const double side = area > 0 ? seam : -seam;
+  const double side = area > 0 ? kSeam : -kSeam;
   widened.assign(points.begin(), points.end());
   for (size_t i = 0; i < count; ++i) {
     const Vec2 d = points[(i + 1) % count] - points[i];
@@ -28,6 +29,26 @@ void widen(std::span<const Vec2> points, double seam, std::vector<Vec2>& widened
     const Vec2 out = Vec2(d.y(), -d.x()) * (side / length);
     widened[i] += out;
     widened[(i + 1) % count] += out;
+  }
+}
+
+/// The same with full width at sharp corners, where many pieces of cloth meet.
+void widen_mitred(std::span<const Vec2> points, double seam, std::vector<Vec2>& widened) {
+  const size_t count = points.size();
+  std::vector<Vec2> out(count, Vec2::Zero());  // unit normals of the sides
+  double area = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const Vec2 &p = points[i], &q = points[(i + 1) % count];
+    area += p.x() * q.y() - p.y() * q.x();
+    const Vec2 d = q - p;
+    if (d.norm() > 1e-9) out[i] = Vec2(d.y(), -d.x()) / d.norm();
+  }
+  widened.assign(points.begin(), points.end());
+  for (size_t i = 0; i < count; ++i) {
+    const Vec2 &before = out[(i + count - 1) % count], &after = out[i];
+    Vec2 mitre = (before + after) / std::max(1 + before.dot(after), 1e-3);
+    if (mitre.norm() > kLongestMitre) mitre *= kLongestMitre / mitre.norm();
+    widened[i] += mitre * (area > 0 ? seam : -seam);
   }
 }
 
@@ -63,7 +84,7 @@ void Scene::add_face(std::span<const Vec3> points, const Color& color, double co
   const double size = area.norm();
   if (size == 0 || area.dot(camera_.towards_eye(centre)) <= 0) return;
   pieces_.push_back({camera_.depth(centre) + nearer, points_.size(), static_cast<int>(points.size()),
-                     ground_ ? shade_ : lit(color, area / size, contrast, Gloss::kPlastic), 0, kSeam});
+                     ground_ ? shade_ : lit(color, area / size, contrast, Gloss::kPlastic), 0, false});
   for (const Vec3& p : points) points_.push_back(camera_.project(placed(p)));
 }
 
@@ -73,12 +94,12 @@ void Scene::add_cloth(std::span<const Vec3> points, const Color& color, const Ve
   centre /= static_cast<double>(points.size());
   const Vec3 facing = normal.dot(camera_.towards_eye(centre)) < 0 ? Vec3(-normal) : normal;
   pieces_.push_back({camera_.depth(centre), points_.size(), static_cast<int>(points.size()),
-                     ground_ ? shade_ : lit(color, facing, contrast, Gloss::kCloth), 0, kClothSeam});
+                     ground_ ? shade_ : lit(color, facing, contrast, Gloss::kCloth), 0, true});
   for (const Vec3& p : points) points_.push_back(camera_.project(placed(p)));
 }
 
 void Scene::add_mark(const Vec2& from, const Vec2& to, double depth, const Color& color, double width) {
-  pieces_.push_back({depth, points_.size(), 2, color, width, 0});
+  pieces_.push_back({depth, points_.size(), 2, color, width, false});
   points_.push_back(from);
   points_.push_back(to);
 }
@@ -87,7 +108,7 @@ void Scene::add_line(std::span<const Vec3> points, const Color& color, double wi
   double depth = nearer * static_cast<double>(points.size());
   for (const Vec3& p : points) depth += camera_.depth(p);
   pieces_.push_back({depth / static_cast<double>(points.size()), points_.size(), static_cast<int>(points.size()),
-                     ground_ ? shade_ : color, width, 0});
+                     ground_ ? shade_ : color, width, false});
   for (const Vec3& p : points) points_.push_back(camera_.project(placed(p)));
 }
 
@@ -102,7 +123,7 @@ void Scene::paint(Canvas& canvas, double opacity) const {
     if (piece->width > 0) {
       canvas.polyline(points, {.color = piece->color, .width = piece->width, .opacity = opacity});
     } else {
-      widen(points, piece->seam, face);
+      piece->cloth ? widen_mitred(points, kClothSeam, face) : widen(points, face);
       canvas.polygon(face, piece->color, opacity);
     }
   }

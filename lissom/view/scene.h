@@ -39,7 +39,7 @@ class Scene {
     int count;
     Color color;
     double width;  // px; 0: face
-    double seam;   // px, by which faces are wider than they are
+    bool cloth;
   };
 
   enum class Gloss { kPlastic, kCloth };
