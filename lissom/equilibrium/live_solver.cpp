@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lissom/equilibrium/escape.h"
 #include "lissom/equilibrium/report.h"
 #include "lissom/equilibrium/rigid_drift.h"
 #include "lissom/equilibrium/root_finder.h"
@@ -16,33 +17,6 @@ namespace lissom {
 namespace {
 
 constexpr int kMaxEscapes = 8;
-
-/// Moves `state` along +- the mode by the amplitude of lowest energy among a few. False when none lowers the energy.
-bool escape(NewtonWorkspace& workspace, State& state, const Mode& mode, const SolveOptions& options) {
-  const double turn = largest_turn(workspace.system(), state, mode.shape);
-  const int frames = 3 * workspace.system().layout.nodes();
-  const double roll =
-      mode.shape.size() > frames ? mode.shape.tail(mode.shape.size() - frames).cwiseAbs().maxCoeff() : 0;
-  const double unit = 0.3 / std::max({turn, roll, 1e-300});
-  StepPathPolicy path(workspace, options.path == StepPath::kStraight ? StepPath::kStraight : StepPath::kRotating);
-  const VecX step = unit * mode.shape;
-  path.begin(state, step, 1);
-  const double energy = workspace.energy(state);
-  double best_energy = energy;
-  State trial, best;
-  for (const double amplitude : {1.0, 0.5, 0.25, 0.1, 0.03, -1.0, -0.5, -0.25, -0.1, -0.03}) {
-    if (!path.at(amplitude, trial)) continue;
-    const double v = workspace.energy(trial);
-    // The side is fixed by the mode's sign unless the other one is clearly lower: mirror images tie.
-    if (v < best_energy - 1e-9 * std::abs(energy - best_energy)) {
-      best_energy = v;
-      best = trial;
-    }
-  }
-  if (!(best_energy < energy)) return false;
-  std::swap(state, best);
-  return true;
-}
 
 }  // namespace
 
@@ -117,7 +91,7 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     }
     const bool leave = options_.at_saddle == AtSaddle::kEscape && minimizer_ && escapes < kMaxEscapes &&
                        !stability.modes.empty() && !context_.cancelled();
-    if (!leave || !escape(workspace_, result.state, stability.modes.front(), options_)) {
+    if (!leave || !escape(workspace_, options_.path, result.state, stability.modes.front().shape)) {
       return finish(std::move(result), Verdict::kUnstable);
     }
   }

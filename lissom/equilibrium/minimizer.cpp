@@ -6,6 +6,7 @@
 
 #include "lissom/equilibrium/block_relaxation.h"
 #include "lissom/equilibrium/conjugate_gradients.h"
+#include "lissom/equilibrium/escape.h"
 #include "lissom/equilibrium/shift.h"
 #include "lissom/equilibrium/step_limits.h"
 #include "lissom/equilibrium/step_path.h"
@@ -20,6 +21,9 @@ constexpr double kSmallestStep = 1e-7;
 constexpr int kFirstRelaxation = 8;
 constexpr double kCgTolerance = 1e-2;  // of a step by conjugate gradients, in the norm of the preconditioner
 constexpr int kCgIterations = 16;      // cost about as much as one factorisation
+constexpr double kCrawl = 0.01;        // rad; steps this small along a shifted Hessian end in a saddle point
+constexpr int kMostCrawling = 3;       // of them in a row before it is left
+constexpr double kReuseGain = 0.3;     // forces have to fall to this share in a step without a factor of its own
 constexpr double kReuseTurn = 0.05;    // rad; after larger steps a factor is not worth trying
 constexpr double kRunawaySizes = 1e4;
 
@@ -34,6 +38,7 @@ Minimizer::Minimizer(NewtonWorkspace& workspace, const SolveOptions& options)
   if (options.rods == Relaxation::kOn && membranes) {
     rods_.emplace(workspace, rod_unknowns(workspace.system()), path_.drift().can_move());
   }
+  escapes_ = options.at_saddle == AtSaddle::kEscape && membranes;
   reuse_ = options.reuse == FactorReuse::kOn && membranes;
 }
 
@@ -114,10 +119,27 @@ bool Minimizer::newton_step() {
   return true;
 }
 
+void Minimizer::leave_saddle() {
+  crawling_ = 0;
+  const VecX free = shift_.negative_direction();
+  if (free.size() != workspace_.problem().supports.unknowns()) return;
+  VecX direction;
+  workspace_.to_increment(free, direction);
+  // A sign that does not depend on the solver: the largest entry is positive.
+  int largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0) direction = -direction;
+  if (escape(workspace_, options_.path, trial_, direction)) {
+    if (rods_) rods_->relax(trial_, kFirstRelaxation, shift_.shift(), tolerance_);
+    trial_energy_ = workspace_.energy(trial_);
+  }
+}
+
 Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
                        FirstStep first) {
   Descent result;
   state_ = &state;
+  crawling_ = 0;
   tolerance_ = tolerance;
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
   stale_ = reuse_ && workspace_.has_plain_factor();
@@ -150,6 +172,8 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
       result.verdict = Verdict::kCancelled;
       return result;
     }
+    // An old factor that no longer brings the forces down has served its time.
+    if (!own_factor_ && result.residual > kReuseGain * last_residual) stale_ = false;
     last_residual = result.residual;
     if (!newton_step()) {
       result.verdict = Verdict::kStalled;
@@ -189,6 +213,8 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
       expand(slope, turn, largest_roll(workspace_.system(), step_));
     }
     if (own_factor_) shift_.learn(workspace_);
+    crawling_ = own_factor_ && shift_.negative() < 0 && taken_ * turn < kCrawl ? crawling_ + 1 : 0;
+    if (crawling_ >= kMostCrawling && escapes_) leave_saddle();
     stale_ = reuse_ && workspace_.has_plain_factor() && taken_ * turn < kReuseTurn;
     std::swap(*state_, trial_);
     const double before = energy_;

@@ -42,6 +42,8 @@ class Minimizer {
   double try_at(double a);
   bool line_search(double slope, double curvature, double reach);
   void expand(double slope, double turn, double roll);
+  /// Moves the accepted trial away from the saddle point that it approaches.
+  void leave_saddle();
 
   NewtonWorkspace& workspace_;
   SolveOptions options_;
@@ -52,6 +54,8 @@ class Minimizer {
   State trial_, best_;
   VecX free_, step_, image_;
   double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
+  int crawling_ = 0;      // small steps in a row while some direction has negative curvature
+  bool escapes_ = false;  // saddle points on the way are left; where there are membranes
   bool first_trial_ = false;
   bool reuse_ = false;      // factors may serve for later states
   bool stale_ = false;      // the one in the workspace is to be tried

@@ -36,6 +36,7 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
 }
 
 void ShiftPolicy::learn(NewtonWorkspace& workspace) {
+  negative_ = 0;
   if (rule_ == ShiftRule::kRemembered) {
     next_ = shift_ / 8 > kSmallest ? shift_ / 8 : 0;
     return;
@@ -45,6 +46,7 @@ void ShiftPolicy::learn(NewtonWorkspace& workspace) {
     return;
   }
   const double lowest = estimate_lowest(workspace, 4);
+  negative_ = std::min(lowest, 0.0);
   // With a shift far above what is needed the estimate cannot tell small eigenvalues apart: do not fall to 0 at once.
   next_ = std::max(lowest < 0 ? -1.3 * lowest : 0, kFall * shift_);
   if (next_ < kSmallest) next_ = 0;

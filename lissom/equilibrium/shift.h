@@ -16,6 +16,11 @@ class ShiftPolicy {
   /// Shift of the last factor; 0 when H itself was positive definite.
   double shift() const { return shift_; }
 
+  /// Stiffness relative to the metric, below 0, of the softest direction known from the last factor, and that direction
+  /// over the free unknowns; 0 when none is known.
+  double negative() const { return negative_; }
+  VecX negative_direction() const { return vectors_.col(0); }
+
   /// Prepares the shift of the next iteration from the present factor.
   void learn(NewtonWorkspace& workspace);
 
@@ -25,6 +30,7 @@ class ShiftPolicy {
 
   ShiftRule rule_;
   double shift_ = 0, next_ = 0;
+  double negative_ = 0;
   double worked_ = 0;  // last shift above 0 that was enough
   MatX vectors_;       // unknowns x 2, kept between iterations
   VecX work_, image_;
