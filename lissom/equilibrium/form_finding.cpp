@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <vector>
 
 #include "lissom/equilibrium/solve.h"
 
@@ -44,10 +45,20 @@ void redraw(const State& state, System& system) {
   }
 }
 
+/// Movement from a to b: of membranes across themselves, for vertices that slide within a surface leave the form as it is
+/// and may do so for long; of all other nodes in any direction.
 double largest_move(const System& system, const State& a, const State& b) {
+  std::vector<Vec3> normal(system.layout.nodes(), Vec3::Zero());
+  for (const StructureTriangle& triangle : system.structure.triangles) {
+    const Vec3 x = a.position(triangle.node[0]);
+    const Vec3 area = (a.position(triangle.node[1]) - x).cross(a.position(triangle.node[2]) - x);
+    for (const int node : triangle.node) normal[node] += area;
+  }
   double largest = 0;
   for (int i = 0; i < system.layout.nodes(); ++i) {
-    largest = std::max(largest, (a.position(i) - b.position(i)).norm());
+    const Vec3 move = b.position(i) - a.position(i);
+    const double length = normal[i].norm();
+    largest = std::max(largest, length > 0 ? std::abs(move.dot(normal[i])) / length : move.norm());
   }
   return largest;
 }
@@ -74,7 +85,7 @@ Result<FoundForm> find_form(const Model& model, const System& system, const Pose
     form.equilibrium = solve(*form.problem, start, 1, options, context);
     if (!settled(form.equilibrium.verdict)) return form;
     if (form.rounds > 1) {
-      form.last_move = largest_move(*form.system, form.equilibrium.state, before);
+      form.last_move = largest_move(*form.system, before, form.equilibrium.state);
       context.report({.task = "find form",
                       .fraction = static_cast<double>(form.rounds) / wanted.rounds,
                       .iteration = form.rounds,

@@ -18,7 +18,7 @@ struct FoundForm {
   std::unique_ptr<StaticProblem> problem;
   Equilibrium equilibrium;  ///< iteration limit: the shape still moves; otherwise that of the last round
   int rounds = 0;           ///< solves
-  double last_move = 0;     ///< m, largest displacement of a node in the last round
+  double last_move = 0;     ///< m, largest movement of the last round; of membranes across themselves
 };
 
 /// Starts from `system` as drawn and the seed of the pose, at load factor 1; `pose.form_finding` says when to stop.

@@ -123,7 +123,7 @@ void describe(Fields& fields, Seed& seed) {
 void describe(Fields& fields, FormFinding& form) {
   fields.field("rounds", form.rounds, IntegerOf{2, 1'000'000}, kOptional, "Most times that the rest shape is renewed.")
       .field("tolerance", form.tolerance, NumberOf{Measure::kRatio, kPositive}, kOptional,
-             "Largest movement of a node in a round that counts as none, over the size of the structure.");
+             "Largest movement across the membrane in a round that counts as none, over the size of the structure.");
 }
 
 void describe(Fields& fields, Pose& pose) {

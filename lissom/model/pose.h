@@ -104,7 +104,7 @@ struct Seed {
 /// Form finding of membranes: their rest shape is renewed until nothing moves (equilibrium/form_finding.h).
 struct FormFinding {
   int rounds = 200;         ///< at most
-  double tolerance = 1e-6;  ///< largest movement of a node in a round, over the size of the structure
+  double tolerance = 1e-6;  ///< largest movement across the membrane in a round, over the size of the structure
 };
 
 /// Rigid motions that no support prevents.
