@@ -14,7 +14,7 @@ namespace lissom::cli {
 namespace {
 
 struct Arguments {
-  std::string input, output, unit = "mm", material = "GFRP", radius = "1 mm", rods = "chains", field, obj = "lines";
+  std::string input, output, unit = "mm", material, fabric, radius = "1 mm", rods = "chains", field, obj = "lines";
   int edges = 4;
 };
 
@@ -35,14 +35,29 @@ Result<NetworkOptions> network_options(const Arguments& arguments) {
   const Result<double> radius = length_of(arguments.radius, "--radius");
   if (!radius) return radius.error();
   options.scale = scale.value();
-  options.material = arguments.material;
+  options.material = arguments.material.empty() ? "GFRP" : arguments.material;
   options.section = {.r_n = {radius.value()}, .r_b = {radius.value()}};
   options.edges_per_segment = arguments.edges;
   options.rods = arguments.rods == "chains" ? NetworkRods::kChains : NetworkRods::kSegments;
   return options;
 }
 
+Result<Drawable> read_plan(const Arguments& arguments) {
+  const Result<double> radius = length_of(arguments.radius, "--radius");
+  if (!radius) return radius.error();
+  DrawingOptions options;
+  options.r_n = options.r_b = radius.value();
+  if (!arguments.material.empty()) options.material = arguments.material;
+  if (!arguments.fabric.empty()) options.fabric = arguments.fabric;
+  std::vector<std::string> notes;
+  Result<Document> document = import_plan(arguments.input, options, notes);
+  if (!document) return document.error();
+  for (const std::string& note : notes) print(note + "\n");
+  return make_drawable(std::move(document).value(), {});
+}
+
 Result<Drawable> read_source(const Arguments& arguments) {
+  if (is_plan_drawing(arguments.input)) return read_plan(arguments);
   if (std::filesystem::path(arguments.input).extension() != ".obj") return read_drawable(arguments.input, {});
   const Result<NetworkOptions> options = network_options(arguments);
   if (!options) return options.error();
@@ -76,12 +91,18 @@ void add_convert(CLI::App& app, Runner& chosen) {
   CLI::App* command = app.add_subcommand("convert", "Turn documents, line networks and results into other files");
   command
       ->add_option("input", arguments->input,
-                   "A document, scene:NAME, a result, or a line network (.obj with l elements)")
+                   "A document, scene:NAME, a result, a line network (.obj with l elements), or a drawing of a plan "
+                   "(.svg, .dxf)")
       ->required();
-  command->add_option("output", arguments->output, "File to write: .lissom, .obj, .vtu, .vtp or .ply")->required();
+  command
+      ->add_option("output", arguments->output,
+                   "File to write: .lissom, .obj, .vtu, .vtp, .ply; of a plan also .svg or .dxf")
+      ->required();
   command->add_option("--unit", arguments->unit, "Unit of the coordinates of a line network [mm]");
-  command->add_option("--material", arguments->material, "Material of its rods [GFRP]");
-  command->add_option("--radius", arguments->radius, "Radius of its rods, with unit [1 mm]");
+  command->add_option("--material", arguments->material, "Material of its rods [GFRP; of a drawing PLA]");
+  command->add_option("--fabric", arguments->fabric, "Fabric of a drawing [elastane-cotton knit]");
+  command->add_option("--radius", arguments->radius,
+                      "Radius of its rods, or of lines without width in a drawing, with unit [1 mm]");
   command->add_option("--edges", arguments->edges, "Edges per straight piece of it [4]")->check(CLI::Range(1, 10000));
   command
       ->add_option("--rods", arguments->rods,
@@ -91,7 +112,10 @@ void add_convert(CLI::App& app, Runner& chosen) {
       ->check(CLI::IsMember({"lines", "surfaces"}));
   command->add_option("--field", arguments->field, "Colours of a .ply file, such as stress [none]");
   command->footer(
-      "Documents carry their units; .obj and .ply files are in millimetres, .vtu and .vtp files in metres.\n\n"
+      "Documents carry their units; .obj, .ply, .svg and .dxf files are in millimetres, .vtu and .vtp files in "
+      "metres.\n"
+      "In drawings the layers RODS and GHOST hold rods, FRAME and MARKS are left out; lines that meet share a "
+      "point.\n\n"
       "Example:\n  lissom convert roof.obj roof.lissom --unit m --material GFRP --radius \"10 mm\"");
   command->callback([arguments, &chosen] { chosen = [arguments] { return convert(*arguments); }; });
 }

@@ -67,7 +67,8 @@ class Mesh {
       const std::size_t before = triangulation_.number_of_vertices();
       const Vertex vertex = triangulation_.insert(places[i], near);
       if (triangulation_.number_of_vertices() == before) {
-        return refuse(where_, fmt::format("points {} and {} are at the same place", vertex->info().value, i),
+        const auto [first, second] = std::minmax({vertex->info().value, static_cast<int>(i)});
+        return refuse(where_, fmt::format("points {} and {} are at the same place", first, second),
                       "remove one of them");
       }
       vertex->info().value = static_cast<int>(i);
@@ -146,18 +147,24 @@ class Mesh {
       const int a = number(face, Triangulation::cw(side)), b = number(face, Triangulation::ccw(side));
       return std::binary_search(outline.begin(), outline.end(), std::array<int, 2>{std::min(a, b), std::max(a, b)});
     });
+    if (empty()) return refuse(where_, "the outline encloses nothing", "close a loop around the fabric");
     for (std::size_t i = 0; i < region_.holes.size(); ++i) {
       const Face face = triangulation_.locate(Point(region_.holes[i].x(), region_.holes[i].y()));
       if (!face->is_in_domain()) {
-        return refuse(where_, fmt::format("hole {} lies outside of the region or in another hole", i),
-                      "move its point into the opening");
+        return refuse(fmt::format("{}/holes/{}", where_, i), "the hole lies outside of the outline or in another hole",
+                      "move its point into the opening, or remove it");
       }
       spread(face, false, [](Face at, int side) { return at->is_constrained(side); });
     }
+    if (empty()) return refuse(where_, "nothing of the fabric is left between its holes", "remove a hole");
+    return {};
+  }
+
+  bool empty() const {
     for (const Face face : triangulation_.finite_face_handles()) {
-      if (face->is_in_domain()) return {};
+      if (face->is_in_domain()) return false;
     }
-    return refuse(where_, "the outline encloses nothing", "close it");
+    return true;
   }
 
   const PlanarRegion& region_;

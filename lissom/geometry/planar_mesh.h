@@ -33,7 +33,7 @@ struct PlanarMesh {
 
 /// Same input, same mesh. Refuses at `where` what cannot be meshed (kGeometry, kRange): numbers that are not finite,
 /// points that coincide, segments that cross or run through a point, an outline that is open or encloses nothing, a hole
-/// outside of it, more triangles than kMostTriangles.
+/// outside of it (at where/holes/0, ...), holes that leave nothing, more triangles than kMostTriangles.
 Result<PlanarMesh> mesh_planar_region(const PlanarRegion& region, const std::string& where);
 
 constexpr int kMostTriangles = 2'000'000;

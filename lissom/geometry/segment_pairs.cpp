@@ -39,7 +39,7 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
     high = high.cwiseMax(start(k)).cwiseMax(end(k));
     length += (end(k) - start(k)).norm() / double(segments.size());
   }
-  constexpr double kMostCells = 2000;  // along a side, so that long segments among short ones stay affordable
+  constexpr double kMostCells = 300;  // along a side, so that long segments among short ones stay affordable
   const double cell = std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells});
   const auto number = [&](double x, double from) { return static_cast<int>(std::floor((x - from) / cell)); };
   std::vector<std::array<int, 3>> entries;  // column, row, segment

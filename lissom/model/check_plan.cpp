@@ -157,11 +157,4 @@ Status check_plan(const Model& model) {
   return {};
 }
 
-void note_plan(const Plan& plan, std::vector<std::string>& notes) {
-  if (plan.fabric.pre_stretch.minCoeff() >= 1) return;
-  notes.push_back(
-      fmt::format("the fabric is slack as printed: its pre-stretch is {:g}; give more than 1, for example 1.4",
-                  plan.fabric.pre_stretch.minCoeff()));
-}
-
 }  // namespace lissom

@@ -20,7 +20,9 @@ Status check_plan_drawing(const Plan& plan, const PlanSamples& samples);
 /// As meshed: every rod lies on the fabric, and the fabric is in one piece.
 Status check_plan_mesh(const Plan& plan, const PlanSamples& samples, const PlanarMesh& mesh);
 
-/// Remarks on what is possible but unusual.
-void note_plan(const Plan& plan, std::vector<std::string>& notes);
+/// Remarks on what is possible but unusual: slack fabric, and printed rods that overlap for a while, away from the points
+/// that they share. `r_b` (m) by node.
+void note_plan(const Plan& plan, const PlanSamples& samples, const std::vector<double>& r_b,
+               std::vector<std::string>& notes);
 
 }  // namespace lissom

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <numeric>
 
 #include "lissom/geometry/segment_pairs.h"
@@ -38,6 +39,46 @@ int shared_node(const std::array<int, 2>& a, const std::array<int, 2>& b) {
     if (node == b[0] || node == b[1]) return node;
   }
   return -1;
+}
+
+/// Lengths (m) over which pairs of printed rods are nearer than their radii, away from common points.
+std::map<std::array<int, 2>, double> overlaps(const Plan& plan, const PlanSamples& samples,
+                                              const std::vector<double>& r_b) {
+  constexpr double kFar = 6;  // in sums of radii: rods that meet at 10 degrees have come apart there
+  const Segments segments(plan, samples);
+  const auto at = [&](int node) -> const Vec2& { return samples.nodes[static_cast<std::size_t>(node)]; };
+  const auto middle = [&](std::size_t k) -> Vec2 { return (at(segments.ends[k][0]) + at(segments.ends[k][1])) / 2; };
+  const auto length = [&](std::size_t k) { return (at(segments.ends[k][1]) - at(segments.ends[k][0])).norm(); };
+  const auto radius = [&](std::size_t k) {
+    return (r_b[static_cast<std::size_t>(segments.ends[k][0])] + r_b[static_cast<std::size_t>(segments.ends[k][1])]) /
+           2;
+  };
+  std::map<std::array<int, 2>, double> lengths;
+  int counted = -1;  // pairs come by first edge: each is counted once per rod that it lies beside
+  std::vector<int> beside;
+  for (const auto& [i, j] :
+       near_segments(samples.nodes, segments.ends, 2 * *std::max_element(r_b.begin(), r_b.end()))) {
+    const std::size_t p = static_cast<std::size_t>(i), q = static_cast<std::size_t>(j);
+    const int r = segments.rod[p], s = segments.rod[q];
+    const PlanRod &first = plan.rods[static_cast<std::size_t>(r)], &second = plan.rods[static_cast<std::size_t>(s)];
+    if (r == s || first.role == PlanRole::kGhost || second.role == PlanRole::kGhost) continue;
+    const double sum = radius(p) + radius(q);
+    const auto &a = segments.ends[p], &b = segments.ends[q];
+    if (segment_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1])) >= sum) continue;
+    bool near_joint = false;
+    for (const int point : first.points) {
+      if (std::find(second.points.begin(), second.points.end(), point) == second.points.end()) continue;
+      const double reach = kFar * sum + length(p) + length(q);
+      near_joint = near_joint || (at(point) - middle(p)).norm() < reach || (at(point) - middle(q)).norm() < reach;
+    }
+    if (near_joint) continue;
+    if (i != counted) beside.clear();
+    counted = i;
+    if (std::find(beside.begin(), beside.end(), s) != beside.end()) continue;
+    beside.push_back(s);
+    lengths[{r, s}] += length(p);
+  }
+  return lengths;
 }
 
 double drawing_size(const PlanSamples& samples) {
@@ -102,17 +143,21 @@ Status check_plan_mesh(const Plan& plan, const PlanSamples& samples, const Plana
     }
   }
   const std::string edge = plan.fabric.outline.empty() ? "the outer loop of the rods" : "its outline";
-  for (std::size_t r = 0; r < samples.rods.size(); ++r) {
-    for (const int node : samples.rods[r]) {
-      if (covered[static_cast<std::size_t>(node)]) continue;
-      const std::size_t i = static_cast<std::size_t>(node);
-      const bool point = i < plan.points.size();
-      return Error{ErrorCode::kGeometry, fmt::format("/plan/rods/{}", r),
-                   fmt::format("{} leaves the fabric at {}{}", rod_name(plan, static_cast<int>(r)),
-                               point ? fmt::format("its point \"{}\", ", plan.points[i].name) : std::string(),
-                               in_mm(samples.nodes[i])),
-                   fmt::format("the fabric ends at {} and at its holes: keep every rod inside or on it", edge)};
+  const auto outside = [&](const std::vector<int>& nodes) {
+    for (const int node : nodes) {
+      if (!covered[static_cast<std::size_t>(node)]) return node;
     }
+    return -1;
+  };
+  for (std::size_t r = 0; r < samples.rods.size(); ++r) {
+    const int point = outside(plan.rods[r].points), node = point >= 0 ? point : outside(samples.rods[r]);
+    if (node < 0) continue;
+    const std::size_t i = static_cast<std::size_t>(node);
+    return Error{ErrorCode::kGeometry, fmt::format("/plan/rods/{}", r),
+                 fmt::format("{} leaves the fabric at {}{}", rod_name(plan, static_cast<int>(r)),
+                             point >= 0 ? fmt::format("its point \"{}\", ", plan.points[i].name) : std::string(),
+                             in_mm(samples.nodes[i])),
+                 fmt::format("the fabric ends at {} and at its holes: keep every rod inside or on it", edge)};
   }
   for (std::size_t r = 1; r < samples.rods.size(); ++r) {
     if (root(samples.rods[r][0]) == root(samples.rods[0][0])) continue;
@@ -122,6 +167,26 @@ Status check_plan_mesh(const Plan& plan, const PlanSamples& samples, const Plana
                  "join the parts by a point that they share, or describe two models"};
   }
   return {};
+}
+
+void note_plan(const Plan& plan, const PlanSamples& samples, const std::vector<double>& r_b,
+               std::vector<std::string>& notes) {
+  if (plan.fabric.pre_stretch.minCoeff() < 1) {
+    notes.push_back(
+        fmt::format("the fabric is slack as printed: its pre-stretch is {:g}; give more than 1, for example 1.4",
+                    plan.fabric.pre_stretch.minCoeff()));
+  }
+  const std::map<std::array<int, 2>, double> lengths = overlaps(plan, samples, r_b);
+  std::size_t told = 0;
+  constexpr std::size_t kMost = 4;
+  for (const auto& [rods, length] : lengths) {
+    if (told++ == kMost) break;
+    notes.push_back(
+        fmt::format("{} and {} overlap over {:.3g} mm: they are nearer to each other than their radii; move "
+                    "them apart, make them thinner, or draw one rod",
+                    rod_name(plan, rods[0]), rod_name(plan, rods[1]), 1000 * length));
+  }
+  if (lengths.size() > kMost) notes.push_back(fmt::format("{} more pairs of rods overlap", lengths.size() - kMost));
 }
 
 }  // namespace lissom

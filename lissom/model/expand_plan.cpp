@@ -73,9 +73,8 @@ Rod make_rod(const Plan& plan, const PlanSamples& samples, const Part& part, con
   return rod;
 }
 
-void make_rods(const Plan& plan, ExpandedPlan& out) {
+void make_rods(const Plan& plan, const std::vector<double>& r_b, ExpandedPlan& out) {
   const std::vector<double> r_n = node_radii(plan, out.samples, &PlanPoint::r_n);
-  const std::vector<double> r_b = node_radii(plan, out.samples, &PlanPoint::r_b);
   std::vector<int> ends(plan.points.size(), 0);  // rod ends and passages at each point
   for (std::size_t r = 0; r < plan.rods.size(); ++r) {
     const PlanRod& drawn = plan.rods[r];
@@ -146,7 +145,8 @@ Result<ExpandedPlan> expand_plan(const Model& model, double refine) {
   ExpandedPlan out;
   out.samples = std::move(samples).value();
   if (Status s = check_plan_drawing(plan, out.samples); !s) return s.error();
-  make_rods(plan, out);
+  const std::vector<double> r_b = node_radii(plan, out.samples, &PlanPoint::r_b);
+  make_rods(plan, r_b, out);
   Result<PlanarMesh> mesh = mesh_planar_region(make_region(plan, out.samples, refine), "/plan/fabric");
   if (!mesh) return mesh.error();
   if (Status s = check_plan_mesh(plan, out.samples, mesh.value()); !s) return s.error();
@@ -165,7 +165,7 @@ Result<ExpandedPlan> expand_plan(const Model& model, double refine) {
                     "other there than their edges are long",
                     out.smallest_angle / kDegree, fabric.min_angle / kDegree));
   }
-  note_plan(plan, out.notes);
+  note_plan(plan, out.samples, r_b, out.notes);
   return out;
 }
 

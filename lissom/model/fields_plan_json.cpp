@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <numbers>
 
 #include "lissom/model/entries_json.h"
 
@@ -102,7 +101,7 @@ void describe(Fields& fields, PlanEntry& entry) {
              "Length that the edges of rods should have.")
       .field("max_turn", plan.max_turn, NumberOf{Measure::kAngle, kPositive}, kOptional,
              "Largest turn of a rod from edge to edge; edges are shorter where needed.")
-      .field("fabric", plan.fabric, ObjectOf<Fabric>{"fabric"}, kRequired, "What the rods are printed on.");
+      .field("fabric", plan.fabric, ObjectOf<Fabric>{"fabric of the plan"}, kRequired, "What the rods are printed on.");
 }
 
 /// The value that most points have, the first of equals.
@@ -199,7 +198,7 @@ void describe(Fields& fields, Fabric& fabric) {
              "Turn from x to the warp direction.")
       .field("edge_length", fabric.edge_length, NumberOf{Measure::kLength, kPositive}, kOptional,
              "Length of the edges of triangles; that of rod edges when absent.")
-      .field("min_angle", fabric.min_angle, NumberOf{Measure::kAngle, between(0, std::numbers::pi / 6)}, kOptional,
+      .field("min_angle", fabric.min_angle, NumberOf{Measure::kAngle, kNotNegative}, kOptional,
              "Smallest angle asked of the triangles, at most 30 degrees.")
       .field("bending", fabric.bending, NumberOf{Measure::kRatio, kNotNegative}, kOptional,
              "Multiplies the bending stiffness of the material; 0 switches it off.")

@@ -5,6 +5,8 @@
 #include "lissom/core/file_io.h"
 #include "lissom/geometry/obj_lines.h"
 #include "lissom/model/document.h"
+#include "lissom/model/plan_dxf.h"
+#include "lissom/model/plan_svg.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/output.h"
 #include "lissom/view/mesh_export.h"
@@ -19,6 +21,14 @@ struct Request {
   const ConvertCommand& command;
   const Drawing& drawing;
 };
+
+/// The lines of the plan, which has to be there.
+Result<PlanDrawing> plan_lines(const Request& r) {
+  const Model& model = r.drawable.document.model;
+  if (model.plan) return drawing_of_plan(*model.plan);
+  return Error{ErrorCode::kUnsupported, r.command.file.string(), "the document has no plan to draw",
+               "write .obj for rods in space, or use `lissom draw` for a picture"};
+}
 
 /// One line per kind of file.
 struct Writer {
@@ -36,6 +46,18 @@ constexpr Writer kWriters[] = {
      }},
     {".vtu", [](const Request& r) { return vtu_bytes(r.drawing); }},
     {".vtp", [](const Request& r) { return vtp_bytes(r.drawing); }},
+    {".svg",
+     [](const Request& r) -> Result<std::string> {
+       const Result<PlanDrawing> lines = plan_lines(r);
+       if (!lines) return lines.error();
+       return write_svg_drawing(lines.value(), r.drawable.document.name);
+     }},
+    {".dxf",
+     [](const Request& r) -> Result<std::string> {
+       const Result<PlanDrawing> lines = plan_lines(r);
+       if (!lines) return lines.error();
+       return write_dxf_drawing(lines.value());
+     }},
     {".ply", [](const Request& r) { return ply_surfaces(r.drawing, {.field = r.command.field}); }},
 };
 
@@ -55,6 +77,30 @@ Result<Document> import_document(const std::filesystem::path& path, const Networ
                               size.y(), size.z()));
   Document document{path.stem().string(), path.parent_path(), std::move(network.value().model)};
   if (document.model.title.empty()) document.model.title = document.name;
+  if (const Status s = document.model.validate(); !s) return s.error();
+  return document;
+}
+
+bool is_plan_drawing(const std::filesystem::path& path) {
+  return path.extension() == ".svg" || path.extension() == ".dxf";
+}
+
+Result<Document> import_plan(const std::filesystem::path& path, const DrawingOptions& options,
+                             std::vector<std::string>& notes) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  const Result<PlanDrawing> drawing = path.extension() == ".svg" ? read_svg_drawing(text.value(), path.string())
+                                                                 : read_dxf_drawing(text.value(), path.string());
+  if (!drawing) return drawing.error();
+  Result<Plan> plan = plan_from_drawing(drawing.value(), options, path.string(), notes);
+  if (!plan) return plan.error();
+  const DrawingFrame frame = frame_of(drawing.value());
+  const Vec2 size = 1000 * (frame.high - frame.low);
+  notes.push_back(fmt::format("{} rods through {} points, {:.4g} x {:.4g} mm", plan.value().rods.size(),
+                              plan.value().points.size(), size.x(), size.y()));
+  Document document{path.stem().string(), path.parent_path(), {}};
+  document.model.title = document.name;
+  document.model.plan = std::move(plan).value();
   if (const Status s = document.model.validate(); !s) return s.error();
   return document;
 }

@@ -258,6 +258,26 @@ class Files(tool.ToolTest):
         self.run_tool("convert", "beam.lissom", "beam.stl", code=3)
         self.run_tool("convert", "beam.obj", "x.lissom", "--unit", "second", code=3)
 
+    def test_convert_plans(self):
+        plan = {"points": {"a": [60, 0], "b": [0, 60], "c": [-60, 0], "d": [0, -60], "m": [5, 10]},
+                "rods": [{"name": "edge", "points": ["a", "b", "c", "d"], "curve": "arc", "closed": True, "ghost": True},
+                         {"name": "spine", "points": ["a", "m", "c"]}],
+                "material": "PLA", "r_n": "0.3 mm", "r_b": "0.5 mm", "edge_length": "5 mm",
+                "fabric": {"material": "soft knit"}}
+        self.write("disc.lissom", {"lissom": 1, "plan": plan})
+        for drawing in ("disc.svg", "disc.dxf"):
+            self.run_tool("convert", "disc.lissom", drawing)
+            out, _ = self.run_tool("convert", drawing, "back.lissom", "--fabric", "soft knit")
+            self.assertIn("2 rods through 5 points, 120 x 120 mm", out)
+            back = self.result("back.lissom")["plan"]
+            self.assertEqual([rod["name"] for rod in back["rods"]], ["edge", "spine"])
+            self.assertEqual([rod.get("ghost", False) for rod in back["rods"]], [True, False])
+            self.assertEqual((back["r_n"], back["r_b"]), (0.3, 0.5))
+            (self.folder / drawing).unlink()
+        self.write("beam.lissom", tool.cantilever())
+        _, err = self.run_tool("convert", "beam.lissom", "beam.svg", code=3)
+        self.assertIn("the document has no plan to draw", err)
+
     def test_a_document_may_name_a_drawing(self):
         self.write("net.obj", "v 0 0 0\nv 100 0 0\nv 200 0 0\nv 100 100 0\nl 1 2 3\nl 2 4\n")
         network = {"name": "net", "file": "net.obj", "unit": "mm", "edges": 4, "material": "PLA", "section": {"radius": "1 mm"}}
