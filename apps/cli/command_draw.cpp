@@ -3,6 +3,8 @@
 #include "lissom/session/command_draw.h"
 
 #include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
@@ -15,14 +17,15 @@ namespace lissom::cli {
 namespace {
 
 struct Arguments {
-  std::string file, output, pose, shown = "both", field, fabric_field, camera = "iso", size = "1600x1200",
-                                  theme = "light", title;
-  bool fields = false, tension = false;
+  std::vector<std::string> files;
+  std::string output, pose, shown = "both", field, fabric_field, camera = "iso", size = "1600x1200", theme = "light",
+                            title;
+  bool fields = false, tension = false, shadow = false;
 };
 
 int list_fields() {
   for (const FieldInfo& info : field_list()) {
-    print(fmt::format("{:<16}{:<8}{}\n", info.name, info.display_unit, info.description));
+    print(fmt::format("{:<18}{:<8}{}\n", info.name, info.display_unit, info.description));
   }
   return kDone;
 }
@@ -41,12 +44,16 @@ Status read_size(const std::string& text, PictureOptions& picture) {
 
 int draw_file(const Arguments& arguments) {
   if (arguments.fields) return list_fields();
-  if (arguments.file.empty()) {
+  if (arguments.files.empty()) {
     std::fputs("lissom: draw needs a document or a result (`lissom draw --help` explains)\n", stderr);
     return kUsage;
   }
-  const Result<Drawable> drawable = read_drawable(arguments.file, arguments.pose);
-  if (!drawable) return report(drawable.error(), arguments.file);
+  std::vector<Drawable> drawables;
+  for (const std::string& file : arguments.files) {
+    Result<Drawable> drawable = read_drawable(file, arguments.pose);
+    if (!drawable) return report(drawable.error(), file);
+    drawables.push_back(std::move(drawable).value());
+  }
   DrawCommand command;
   command.shown = arguments.shown == "rest"       ? Shown::kRest
                   : arguments.shown == "deformed" ? Shown::kDeformed
@@ -54,6 +61,7 @@ int draw_file(const Arguments& arguments) {
   command.picture.view = camera_named(arguments.camera);
   command.picture.field = arguments.field;
   command.picture.membrane_field = arguments.fabric_field;
+  command.picture.shadow = arguments.shadow ? Visibility::kShown : Visibility::kHidden;
   command.picture.tension = arguments.tension ? Visibility::kShown : Visibility::kHidden;
   command.picture.title = arguments.title;
   command.picture.theme = arguments.theme == "dark" ? Theme::kDark : Theme::kLight;
@@ -61,11 +69,12 @@ int draw_file(const Arguments& arguments) {
     report(s.error());
     return kUsage;
   }
-  const Document& document = drawable.value().document;
+  const Drawable& first = drawables.front();
   command.file = !arguments.output.empty() ? std::filesystem::path(arguments.output)
-                 : drawable.value().solved ? std::filesystem::path(arguments.file).replace_extension(".svg")
-                                           : document.default_output() / (file_name_part(document.name) + ".svg");
-  if (const Status s = draw_command(drawable.value(), command); !s) return report(s.error());
+                 : first.solved            ? std::filesystem::path(arguments.files.front()).replace_extension(".svg")
+                                : first.document.default_output() / (file_name_part(first.document.name) + ".svg");
+  const Status drawn = drawables.size() > 1 ? draw_strip_command(drawables, command) : draw_command(first, command);
+  if (!drawn) return report(drawn.error());
   print("wrote " + command.file.string() + "\n");
   return kDone;
 }
@@ -75,7 +84,8 @@ int draw_file(const Arguments& arguments) {
 void add_draw(CLI::App& app, Runner& chosen) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("draw", "Draw a structure, or a shape that was found");
-  command->add_option("file", arguments->file, "A document, scene:NAME, or a result of `lissom solve`");
+  command->add_option("files", arguments->files,
+                      "Documents, scene:NAME, or results of `lissom solve`; several are drawn side by side");
   command->add_option("-o,--output", arguments->output, "Picture, .svg or .png [.svg, next to a result, or in out]");
   command->add_option("--pose", arguments->pose, "Show the supports and forces of this pose (of a document)");
   command->add_option("--state", arguments->shown, "rest, deformed or both (of a result) [both]")
@@ -85,9 +95,11 @@ void add_draw(CLI::App& app, Runner& chosen) {
                       "Colour the fabric by this, such as \"smallest stretch\" [as --field]");
   command->add_flag("--tension", arguments->tension, "Show which way the fabric pulls most");
   command->add_flag("--fields", arguments->fields, "List the fields, with units");
+  command->add_flag("--shadow", arguments->shadow, "Cast a shadow on the ground");
   command->add_option("--camera", arguments->camera, "iso, top, front or right [iso]")
       ->check(CLI::IsMember({"iso", "top", "front", "right"}));
-  command->add_option("--size", arguments->size, "Width x height in pixels [1600x1200]");
+  command->add_option("--size", arguments->size,
+                      "Width x height in pixels, of several shapes only the width counts [1600x1200]");
   command->add_option("--theme", arguments->theme, "light or dark [light]")->check(CLI::IsMember({"light", "dark"}));
   command->add_option("--title", arguments->title, "Title [that of the document]");
   command->footer(

@@ -2,6 +2,7 @@
 /// `draw`: a picture of a description or of a result.
 
 #include <filesystem>
+#include <vector>
 
 #include "lissom/session/drawable.h"
 #include "lissom/view/picture.h"
@@ -18,5 +19,9 @@ struct DrawCommand {
 
 /// Draws and writes.
 Status draw_command(const Drawable& drawable, const DrawCommand& command);
+
+/// Several shapes side by side under one camera, with the titles of their documents (or, where these are all the same,
+/// their poses) as captions. The height of the picture follows from what is seen.
+Status draw_strip_command(const std::vector<Drawable>& drawables, const DrawCommand& command);
 
 }  // namespace lissom

@@ -7,6 +7,7 @@
 #include "lissom/equilibrium/solve.h"
 #include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/fields.h"
+#include "lissom/session/ghost_lines.h"
 #include "lissom/session/output.h"
 #include "lissom/session/pose_files.h"
 #include "lissom/view/picture.h"
@@ -41,7 +42,10 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
   const PictureOptions options{.title = document.model.title.empty() ? document.name : document.model.title,
                                .field = command.field,
                                .membrane_field = field_of_membranes(drawing.value(), command.field)};
-  const std::vector<Panel> panels{{{{draw_rest(system), Layer::Style::kGhost}, {drawing.value()}}, pose.name}};
+  const std::vector<Panel> panels{
+      {{{draw_rest(system), Layer::Style::kGhost},
+        {drawing.value(), Layer::Style::kSolid, ghost_lines(document.model, system, e.state)}},
+       pose.name}};
   return output.write(stem + (*command.picture == ImageFormat::kSvg ? ".svg" : ".png"),
                       draw_picture(panels, options, *command.picture));
 }

@@ -67,7 +67,9 @@ Result<std::string> draw_panels(const PictureStrip& strip, const std::vector<Pan
   options.view = strip.view;
   options.width = strip.width;
   options.forces = Visibility::kHidden;
+  options.theme = strip.theme;
   options.shadow = strip.shadow;
+  options.tension = strip.tension;
   return draw_picture(panels, options, format);
 }
 

@@ -15,7 +15,9 @@ struct PictureStrip {
   std::string membrane_field = {};  ///< that colours membranes in its stead; empty: `field` does when it can
   Viewpoint view;
   int width = 0;  ///< px; the height follows from what is seen
+  Theme theme = Theme::kLight;
   Visibility shadow = Visibility::kHidden;
+  Visibility tension = Visibility::kHidden;
 };
 
 /// Arranges the panels in as many columns as make a page of a good shape.

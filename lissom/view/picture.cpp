@@ -64,6 +64,11 @@ Status check(const std::vector<Panel>& panels, const PictureOptions& options) {
       if (layer.style != Layer::Style::kSolid) continue;
       if (Status status = check_field(layer.drawing, options.field); !status) return status;
       if (Status status = check_field(layer.drawing, options.membrane_field); !status) return status;
+      if (const Field* field = field_of(layer.drawing, options.membrane_field);
+          field != nullptr && field->place == Field::Place::kEdge) {
+        return Error{ErrorCode::kConflict, "field", fmt::format("membranes have no \"{}\"", field->name),
+                     "choose a field of nodes or triangles for them"};
+      }
     }
   }
   if (!any) return Error{ErrorCode::kGeometry, "picture", "there is nothing to draw", "give at least one state"};

@@ -252,6 +252,8 @@ TEST(Picture, ClothShowsItsFieldAndTwoLegends) {
   const std::string both = draw_picture({panel(drawing)}, options, ImageFormat::kSvg).value();
   EXPECT_EQ(count(plain, "linear"), 0u);
   EXPECT_GE(count(both, "<linearGradient"), 2u);
+  options.membrane_field = "force";
+  EXPECT_EQ(draw_picture({panel(drawing)}, options, ImageFormat::kSvg).error().code, ErrorCode::kConflict);
   options.membrane_field = "pull";
   EXPECT_NE(draw_picture({panel(drawing)}, options, ImageFormat::kSvg).error().text().find("\"pull\""),
             std::string::npos);
