@@ -16,6 +16,7 @@ FOLDER = pathlib.Path(__file__).resolve().parents[1] / "scenes" / "data" / "fabr
 THESIS = "Computational Design of Flexible Structures, "
 SOFT = {"r_n": 0.2, "r_b": 0.4}    # with the soft knit (0.3 N/m)
 PRINTED = {"r_n": 0.65, "r_b": 1.3}  # with the elastane-cotton knit (47.2 N/m)
+UP = {"seed": {"amplitude": 3}}      # the middle goes up, not down
 
 
 class Drawing:
@@ -39,11 +40,11 @@ class Drawing:
             entry["ghost"] = True
         self.rods.append(entry)
 
-    def document(self, title, source, edge_length, radii, fabric, **plan):
-        entry = {"points": self.points, "rods": self.rods, "material": "PLA", **radii, "edge_length": edge_length,
-                 "fabric": fabric}
-        entry.update(plan)
-        return {"lissom": 1, "title": title, "source": THESIS + source, "plan": entry, "poses": [{"name": "released"}]}
+    def document(self, title, source, edge_length, radii, fabric, pose=None):
+        plan = {"points": self.points, "rods": self.rods, "material": "PLA", **radii, "edge_length": edge_length,
+                "fabric": fabric}
+        return {"lissom": 1, "title": title, "source": THESIS + source, "plan": plan,
+                "poses": [{"name": "released", **(pose or {})}]}
 
 
 class Half(Drawing):
@@ -221,7 +222,7 @@ def butterfly():
         "c": (48, 35), "k1": (92, 71), "k2": (89, 47), "k3": (80, 24), "mm": (55, 2.5),
         "d": (32, -22), "p1": (70, -22), "p2": (63, -47), "p3": (42, -62),
         "a": (19, 84)})
-    d.across("body", "head b1 b2 b3 b4 tail", closed=True)
+    d.both("body", "head b1 b2 b3 b4 tail")
     d.both("antenna", "head a", curve="straight")
     d.both("antenna-under", "b1 a", curve="straight")
     d.both("fore-edge", "b1 f1 f2 f3")
@@ -238,7 +239,8 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.2, PRINTED, knit(1.4, 8, min_angle=10))
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.27, {"r_n": 0.42, "r_b": 0.9},
+                                  knit(1.4, 8, min_angle=10))
 
 
 def mask():
@@ -270,8 +272,8 @@ def mask():
     d.both("jaw", "c5 j o7")
     d.both("temple", "o1 fh1 br2")
     d.both("lid", "br2 e3")
-    fabric = knit(1.4, 6, min_angle=15, holes=[[-36, 17], [36, 17]])
-    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.05, PRINTED, fabric)
+    fabric = knit([1.45, 1.2], 6, min_angle=15, holes=[[-36, 17], [36, 17]])
+    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.05, {"r_n": 0.4, "r_b": 0.9}, fabric, UP)
 
 
 def car():
@@ -302,17 +304,21 @@ def car():
     d.both("roof-rib", "g1 g2 g3")
     d.both("bonnet", "c1 c2 c3")
     d.across("bonnet-front", "nose c3 l1")
+    d.rod("badge", "nose bumper")
+    d.both("grille", "c3 s1")
     d.both("headlight", "c3 h1 s2")
     d.both("headlight-side", "l1 s2")
     d.both("boot-edge", "t1 t2")
     d.across("boot-rear", "boot t2 l2")
+    d.rod("rear-badge", "boot tail")
+    d.both("exhaust", "t2 s10")
     d.both("tail-light", "t2 h2 s9")
     d.both("tail-light-side", "l2 s9")
     d.both("crease", "d1 d2 d3")
     d.both("front-door", "w2 d1 s4")
     d.both("rear-door", "w5 d3 s7")
-    fabric = knit(1.4, 6, min_angle=15)
-    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.2, PRINTED, fabric)
+    fabric = knit([1.55, 1.15], 6, min_angle=15)
+    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.15, {"r_n": 0.5, "r_b": 1.2}, fabric, UP)
 
 
 def documents():
