@@ -98,8 +98,9 @@ def frame(title, stretch, radii):
     d = Drawing()
     for name, x, y in (("a", 0, 0), ("b", 120, 0), ("c", 120, 120), ("d", 0, 120)):
         d.point(name, x, y)
-    d.rod("frame", "a b c d", "straight", closed=True)
-    return d.document(title, "figure 6.3; the corners are stiff", 5, radii,
+    for side in ("a b", "b c", "c d", "d a"):
+        d.rod(side.replace(" ", ""), side, "straight")
+    return d.document(title, "figure 6.3", 5, radii,
                       {"material": "soft knit", "pre_stretch": stretch})
 
 
@@ -154,12 +155,9 @@ def rectangle(title, lines_along, lines_across):
             if i in (0, len(xs) - 1) or j in (0, len(ys) - 1) or (lines_along and lines_across):
                 d.point(f"p{i}{j}", x, y)
     last_x, last_y = len(xs) - 1, len(ys) - 1
-    around = [f"p{i}0" for i in range(last_x)] + [f"p{last_x}{j}" for j in range(last_y)]
-    around += [f"p{i}{last_y}" for i in range(last_x, 0, -1)] + [f"p0{j}" for j in range(last_y, 0, -1)]
-    d.rod("edge", around, "straight", closed=True)
-    for j in range(1, last_y):
+    for j in range(last_y + 1):
         d.rod(f"along-{j}", [f"p{i}{j}" for i in range(last_x + 1) if f"p{i}{j}" in d.points], "straight")
-    for i in range(1, last_x):
+    for i in range(last_x + 1):
         d.rod(f"across-{i}", [f"p{i}{j}" for j in range(last_y + 1) if f"p{i}{j}" in d.points], "straight")
     return d.document(title, "figure 6.5", 5, PRINTED, knit(1.4))
 
