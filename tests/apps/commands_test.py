@@ -272,7 +272,7 @@ class Files(tool.ToolTest):
             back = self.result("back.lissom")["plan"]
             self.assertEqual([rod["name"] for rod in back["rods"]], ["edge", "spine"])
             self.assertEqual([rod.get("ghost", False) for rod in back["rods"]], [True, False])
-            self.assertEqual((back["r_n"], back["r_b"]), (0.3, 0.5))
+            self.assertEqual((back["r_n"], back["r_b"]), ("0.3 mm", "0.5 mm"))
             (self.folder / drawing).unlink()
         self.write("beam.lissom", tool.cantilever())
         _, err = self.run_tool("convert", "beam.lissom", "beam.svg", code=3)
