@@ -125,6 +125,9 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
                       .width = 0.1 * em,
                       .cap = Stroke::Cap::kButt,
                       .dash = {0.5 * em, 0.35 * em}};
+  Stroke guide_stroke = dashed;  // has to stand out before cloth and its hem
+  guide_stroke.color = mix(colors.fabric, colors.ink, 0.75);
+  guide_stroke.width = 0.16 * em;
   if (options.shadow == Visibility::kShown && options.view.elevation > 0.05) {
     Scene shadow(camera, shared.ground, colors.shadow);
     for (const Layer& layer : panel.layers) {
@@ -168,7 +171,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
     for (const std::vector<Vec3>& guide : layer.guides) {
       std::vector<Vec2> page;
       for (const Vec3& p : guide) page.push_back(camera.project(p));
-      canvas.polyline(page, dashed);
+      canvas.polyline(page, guide_stroke);
     }
   }
 }
