@@ -170,21 +170,29 @@ void warn_of_turns(const Shape& shape, std::vector<Warning>& list) {
   list.insert(list.end(), found.begin(), found.end());
 }
 
+/// One warning for all of them: the remedy is for the whole structure.
 void warn_of_thin_rods(const Shape& shape, std::vector<Warning>& list) {
   const Structure& s = shape.structure();
-  std::vector<Warning> found;
-  for (int r = 0; r < static_cast<int>(s.rods.size()); ++r) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int e : s.rods[r].edges) least = std::min({least, s.edges[e].section.r_n, s.edges[e].section.r_b});
-    if (2 * least >= shape.limits.diameter * (1 - 1e-9)) continue;
-    found.push_back({"thin rod", shape.rod_name(r), least, "m",
-                     fmt::format("it is {:.3g} mm thin, printers make {:.3g} mm and more; multiply all radii by {:.3g} "
-                                 "and the stiffness of the fabric by {:.3g}, which leaves the shape as it is",
-                                 2e3 * least, 1e3 * shape.limits.diameter, shape.limits.diameter / (2 * least),
-                                 std::pow(shape.limits.diameter / (2 * least), 4))});
+  std::vector<char> thin(s.rods.size(), 0);
+  int thinnest = -1;
+  double least = shape.limits.diameter / 2 * (1 - 1e-9);
+  for (const StructureEdge& edge : s.edges) {
+    const double r = std::min(edge.section.r_n, edge.section.r_b);
+    if (2 * r < shape.limits.diameter * (1 - 1e-9)) thin[edge.rod] = 1;
+    if (r >= least) continue;
+    least = r;
+    thinnest = edge.rod;
   }
-  std::stable_sort(found.begin(), found.end(), [](const Warning& a, const Warning& b) { return a.value < b.value; });
-  list.insert(list.end(), found.begin(), found.end());
+  if (thinnest < 0) return;
+  const auto count = std::count(thin.begin(), thin.end(), 1);
+  const double factor = shape.limits.diameter / (2 * least);
+  list.push_back(
+      {"thin rod",
+       count == 1 ? shape.rod_name(thinnest) : fmt::format("{} and {} more", shape.rod_name(thinnest), count - 1),
+       least, "m",
+       fmt::format("{:.3g} mm thin, printers make {:.3g} mm and more; multiply all radii by {:.3g} and the "
+                   "stiffness of the fabric by {:.3g}, which leaves the shape as it is",
+                   2e3 * least, 1e3 * shape.limits.diameter, factor, std::pow(factor, 4))});
 }
 
 }  // namespace

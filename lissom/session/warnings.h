@@ -28,8 +28,8 @@ struct Warning {
   std::string remedy;  ///< a sentence
 };
 
-/// Of a structure with membranes, most pressing first within each kind, at most one per membrane or rod and kind;
-/// nothing without membranes. `stretch_share`: part of the pre-stretch that is there.
+/// Of a structure with membranes, most pressing first within each kind, at most one per membrane or rod and kind
+/// (of thin rods: one); nothing without membranes. `stretch_share`: part of the pre-stretch that is there.
 std::vector<Warning> warnings(const System& system, const State& state, double stretch_share,
                               const WarningLimits& limits = {});
 

@@ -37,44 +37,6 @@ bool shown(const Marker& marker, const PictureOptions& options) {
   return (marker.kind == Marker::Kind::kForce ? options.forces : options.supports) == Visibility::kShown;
 }
 
-Status check_field(const Drawing& drawing, const std::string& name) {
-  if (name.empty() || drawing.field(name) != nullptr) return {};
-  std::string names;
-  for (const Field& f : drawing.fields) names += (names.empty() ? "" : ", ") + f.name;
-  return Error{ErrorCode::kUnknown, "field", fmt::format("there is no field \"{}\"", name),
-               names.empty() ? "this drawing has no fields" : "known fields: " + names};
-}
-
-Status check(const std::vector<Panel>& panels, const PictureOptions& options) {
-  if (Status status = check_size(options.width, options.height); !status) return status;
-  if (Status status = options.view.validate(); !status) return status;
-  if (options.range && !(std::isfinite(options.range->low) && options.range->high > options.range->low &&
-                         std::isfinite(options.range->high))) {
-    return Error{ErrorCode::kRange, "range", "the colour range is empty", "give a lower and a higher finite number"};
-  }
-  bool any = false;
-  for (const Panel& panel : panels) {
-    for (const Layer& layer : panel.layers) {
-      any = true;
-      if (Status status = check_drawing(layer.drawing); !status) return status;
-      for (const std::vector<Vec3>& guide : layer.guides) {
-        if (std::all_of(guide.begin(), guide.end(), [](const Vec3& p) { return p.allFinite(); })) continue;
-        return Error{ErrorCode::kRange, "guides", "a guide has a coordinate that is not a finite number", {}};
-      }
-      if (layer.style != Layer::Style::kSolid) continue;
-      if (Status status = check_field(layer.drawing, options.field); !status) return status;
-      if (Status status = check_field(layer.drawing, options.membrane_field); !status) return status;
-      if (const Field* field = field_of(layer.drawing, options.membrane_field);
-          field != nullptr && field->place == Field::Place::kEdge) {
-        return Error{ErrorCode::kConflict, "field", fmt::format("membranes have no \"{}\"", field->name),
-                     "choose a field of nodes or triangles for them"};
-      }
-    }
-  }
-  if (!any) return Error{ErrorCode::kGeometry, "picture", "there is nothing to draw", "give at least one state"};
-  return {};
-}
-
 void gather_shape(const std::vector<Panel>& panels, const PictureOptions& options, Shared& shared) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Panel& panel : panels) {
@@ -163,6 +125,9 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
                       .width = 0.1 * em,
                       .cap = Stroke::Cap::kButt,
                       .dash = {0.5 * em, 0.35 * em}};
+  Stroke guide_stroke = dashed;  // has to stand out before cloth and its hem
+  guide_stroke.color = mix(colors.fabric, colors.ink, 0.75);
+  guide_stroke.width = 0.16 * em;
   if (options.shadow == Visibility::kShown && options.view.elevation > 0.05) {
     Scene shadow(camera, shared.ground, colors.shadow);
     for (const Layer& layer : panel.layers) {
@@ -206,7 +171,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
     for (const std::vector<Vec3>& guide : layer.guides) {
       std::vector<Vec2> page;
       for (const Vec3& p : guide) page.push_back(camera.project(p));
-      canvas.polyline(page, dashed);
+      canvas.polyline(page, guide_stroke);
     }
   }
 }
@@ -237,7 +202,7 @@ Grid make_grid(int panels, int columns) {
 }  // namespace
 
 Result<std::string> draw_picture(const std::vector<Panel>& panels, const PictureOptions& options, ImageFormat format) {
-  if (Status status = check(panels, options); !status) return status.error();
+  if (Status status = check_picture(panels, options); !status) return status.error();
   Shared shared;
   gather_shape(panels, options, shared);
   shared.colors = color_key(panels, options.field, options.range);

@@ -10,6 +10,9 @@
 
 namespace lissom {
 
+/// Whether the panels can be drawn like this: sizes, shapes, ranges and names of fields.
+Status check_picture(const std::vector<Panel>& panels, const PictureOptions& options);
+
 /// How the rods or the membranes of a layer get their colours.
 struct Paint {
   const Field* field = nullptr;  ///< null: plain
