@@ -213,14 +213,17 @@ def removals_and_kinks():
 
 
 def butterfly():
-    d = Half({"head": (41,), "tail": (-60,)}, {
-        "b1": (5, 26), "b2": (6, 10), "b3": (5, -6), "b4": (4, -34),
+    body = {"r_n": 0.36, "r_b": 1.1}
+    d = Half({"head": (41, body), "tail": (-60, body)}, {
+        "b1": (5, 26, body), "b2": (6, 10, body), "b3": (5, -6, body), "b4": (4, -34, body),
         "f1": (40, 57), "f2": (82, 84), "f3": (122, 93), "f4": (117, 56), "f5": (101, 23), "n": (85, 1),
         "h1": (94, -26), "h2": (84, -58), "h3": (52, -86), "h4": (22, -72),
         "c": (48, 35), "k1": (92, 71), "k2": (89, 47), "k3": (80, 24), "mm": (55, 2.5),
         "d": (32, -22), "p1": (70, -22), "p2": (63, -47), "p3": (42, -62),
         "a": (19, 84)})
     d.both("body", "head b1 b2 b3 b4 tail")
+    for stripe in ("b3",):
+        d.across("stripe-" + stripe, stripe)
     d.both("antenna", "head a", curve="straight")
     d.both("antenna-under", "b1 a", curve="straight")
     d.both("fore-edge", "b1 f1 f2 f3")
@@ -237,8 +240,8 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.27, {"r_n": 0.42, "r_b": 0.9},
-                                  knit(1.4, 8, min_angle=10))
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.265, {"r_n": 0.36, "r_b": 0.85},
+                                  knit(1.45, 14, min_angle=5.5))
 
 
 def mask():
@@ -270,8 +273,8 @@ def mask():
     d.both("jaw", "c5 j o7")
     d.both("temple", "o1 fh1 br2")
     d.both("lid", "br2 e3")
-    fabric = knit([1.45, 1.2], 6, min_angle=15, holes=[[-36, 17], [36, 17]])
-    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.05, {"r_n": 0.4, "r_b": 0.9}, fabric, UP)
+    fabric = knit([1.45, 1.2], 8, min_angle=8.2, holes=[[-36, 17], [36, 17]])
+    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.06, {"r_n": 0.4, "r_b": 0.9}, fabric, UP)
 
 
 def car():
@@ -315,8 +318,8 @@ def car():
     d.both("crease", "d1 d2 d3")
     d.both("front-door", "w2 d1 s4")
     d.both("rear-door", "w5 d3 s7")
-    fabric = knit([1.55, 1.15], 6, min_angle=15)
-    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.15, {"r_n": 0.5, "r_b": 1.2}, fabric, UP)
+    fabric = knit([1.55, 1.15], 8, min_angle=9.7)
+    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.082, {"r_n": 0.5, "r_b": 1.2}, fabric, UP)
 
 
 def documents():
