@@ -136,7 +136,7 @@ def ringed(d):
 
 def discs():
     yield "disc-empty", disc("Disc", lambda d: circle(d, "rim", 75, 4))
-    yield "disc-split", disc("Disc, rim cut in two places", lambda d: circle(d, "rim", 75, 4, splits=(0, 2)))
+    yield "disc-split", disc("Disc with a cut rim", lambda d: circle(d, "rim", 75, 4, splits=(0,)))
     yield "disc-crossed", disc("Disc with two crossing rods", crossed)
     yield "disc-ringed", disc("Disc with a ring", ringed)
 
@@ -144,7 +144,7 @@ def discs():
 # Figure 6.5
 
 
-def rectangle(title, lines_along, lines_across):
+def rectangle(title, lines_along, lines_across, radii):
     """Sides of 200 and 100 mm; lines parallel to the long and the short side."""
     d = Drawing()
     length, width = 200, 100
@@ -159,13 +159,13 @@ def rectangle(title, lines_along, lines_across):
         d.rod(f"along-{j}", [f"p{i}{j}" for i in range(last_x + 1) if f"p{i}{j}" in d.points], "straight")
     for i in range(last_x + 1):
         d.rod(f"across-{i}", [f"p{i}{j}" for j in range(last_y + 1) if f"p{i}{j}" in d.points], "straight")
-    return d.document(title, "figure 6.5", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.5", 5, radii, knit(1.4))
 
 
 def rectangles():
-    yield "rectangle-empty", rectangle("Rectangle", 0, 0)
-    yield "rectangle-squares", rectangle("Rectangle of squares", 1, 3)
-    yield "rectangle-strips", rectangle("Rectangle of strips", 4, 0)
+    yield "rectangle-empty", rectangle("Rectangle", 0, 0, {"r_n": 0.65, "r_b": 1.5})
+    yield "rectangle-squares", rectangle("Rectangle of squares", 1, 3, {"r_n": 0.45, "r_b": 0.9})
+    yield "rectangle-strips", rectangle("Rectangle of strips", 0, 7, {"r_n": 0.5, "r_b": 1.3})
 
 
 # Figures 6.6 and 6.7
