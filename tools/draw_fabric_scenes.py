@@ -184,7 +184,7 @@ def wheel(title, ghosts):
         d.rod(f"rim-{i}", names, "arc", ghost=i in ghosts)
     for i in range(count):
         d.rod(f"spoke-{i}", ["centre", f"rim-{2 * i}"], "straight")
-    return d.document(title, "figure 6.6", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.6", 5, {"r_n": 0.45, "r_b": 0.9}, knit(1.4))
 
 
 def kink(title, split):
@@ -198,7 +198,7 @@ def kink(title, split):
         d.rod(f"along-{j}", [f"p{i}{j}" for i in range(5)], "straight")
     for i in (0, 1, 3, 4):
         d.rod(f"across-{i}", [f"p{i}{j}" for j in range(3)], "straight")
-    return d.document(title, "figure 6.7", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.7", 5, {"r_n": 0.5, "r_b": 1.3}, knit(1.2))
 
 
 def removals_and_kinks():
@@ -213,7 +213,7 @@ def removals_and_kinks():
 
 
 def butterfly():
-    body = {"r_n": 0.36, "r_b": 1.1}
+    body = {"r_n": 0.42, "r_b": 1.6}
     d = Half({"head": (41, body), "tail": (-60, body)}, {
         "b1": (5, 26, body), "b2": (6, 10, body), "b3": (5, -6, body), "b4": (4, -34, body),
         "f1": (40, 57), "f2": (82, 84), "f3": (122, 93), "f4": (117, 56), "f5": (101, 23), "n": (85, 1),
@@ -222,8 +222,6 @@ def butterfly():
         "d": (32, -22), "p1": (70, -22), "p2": (63, -47), "p3": (42, -62),
         "a": (19, 84)})
     d.both("body", "head b1 b2 b3 b4 tail")
-    for stripe in ("b3",):
-        d.across("stripe-" + stripe, stripe)
     d.both("antenna", "head a", curve="straight")
     d.both("antenna-under", "b1 a", curve="straight")
     d.both("fore-edge", "b1 f1 f2 f3")
@@ -240,8 +238,8 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.265, {"r_n": 0.36, "r_b": 0.85},
-                                  knit(1.45, 14, min_angle=5.5))
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.38, "r_b": 0.9},
+                                  knit(1.45, 14, min_angle=5.5), UP)
 
 
 def mask():
