@@ -136,7 +136,7 @@ def ringed(d):
 
 def discs():
     yield "disc-empty", disc("Disc", lambda d: circle(d, "rim", 75, 4))
-    yield "disc-split", disc("Disc, rim cut in two places", lambda d: circle(d, "rim", 75, 4, splits=(0, 2)))
+    yield "disc-split", disc("Disc with a cut rim", lambda d: circle(d, "rim", 75, 4, splits=(0,)))
     yield "disc-crossed", disc("Disc with two crossing rods", crossed)
     yield "disc-ringed", disc("Disc with a ring", ringed)
 
@@ -144,7 +144,7 @@ def discs():
 # Figure 6.5
 
 
-def rectangle(title, lines_along, lines_across):
+def rectangle(title, lines_along, lines_across, radii):
     """Sides of 200 and 100 mm; lines parallel to the long and the short side."""
     d = Drawing()
     length, width = 200, 100
@@ -159,13 +159,13 @@ def rectangle(title, lines_along, lines_across):
         d.rod(f"along-{j}", [f"p{i}{j}" for i in range(last_x + 1) if f"p{i}{j}" in d.points], "straight")
     for i in range(last_x + 1):
         d.rod(f"across-{i}", [f"p{i}{j}" for j in range(last_y + 1) if f"p{i}{j}" in d.points], "straight")
-    return d.document(title, "figure 6.5", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.5", 5, radii, knit(1.4))
 
 
 def rectangles():
-    yield "rectangle-empty", rectangle("Rectangle", 0, 0)
-    yield "rectangle-squares", rectangle("Rectangle of squares", 1, 3)
-    yield "rectangle-strips", rectangle("Rectangle of strips", 4, 0)
+    yield "rectangle-empty", rectangle("Rectangle", 0, 0, {"r_n": 0.65, "r_b": 1.5})
+    yield "rectangle-squares", rectangle("Rectangle of squares", 1, 3, {"r_n": 0.45, "r_b": 0.9})
+    yield "rectangle-strips", rectangle("Rectangle of strips", 0, 7, {"r_n": 0.5, "r_b": 1.3})
 
 
 # Figures 6.6 and 6.7
@@ -184,7 +184,7 @@ def wheel(title, ghosts):
         d.rod(f"rim-{i}", names, "arc", ghost=i in ghosts)
     for i in range(count):
         d.rod(f"spoke-{i}", ["centre", f"rim-{2 * i}"], "straight")
-    return d.document(title, "figure 6.6", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.6", 5, {"r_n": 0.45, "r_b": 0.9}, knit(1.4))
 
 
 def kink(title, split):
@@ -198,7 +198,7 @@ def kink(title, split):
         d.rod(f"along-{j}", [f"p{i}{j}" for i in range(5)], "straight")
     for i in (0, 1, 3, 4):
         d.rod(f"across-{i}", [f"p{i}{j}" for j in range(3)], "straight")
-    return d.document(title, "figure 6.7", 5, PRINTED, knit(1.4))
+    return d.document(title, "figure 6.7", 5, {"r_n": 0.5, "r_b": 1.3}, knit(1.2))
 
 
 def removals_and_kinks():
@@ -213,8 +213,9 @@ def removals_and_kinks():
 
 
 def butterfly():
-    d = Half({"head": (41,), "tail": (-60,)}, {
-        "b1": (5, 26), "b2": (6, 10), "b3": (5, -6), "b4": (4, -34),
+    body = {"r_n": 0.42, "r_b": 1.6}
+    d = Half({"head": (41, body), "tail": (-60, body)}, {
+        "b1": (5, 26, body), "b2": (6, 10, body), "b3": (5, -6, body), "b4": (4, -34, body),
         "f1": (40, 57), "f2": (82, 84), "f3": (122, 93), "f4": (117, 56), "f5": (101, 23), "n": (85, 1),
         "h1": (94, -26), "h2": (84, -58), "h3": (52, -86), "h4": (22, -72),
         "c": (48, 35), "k1": (92, 71), "k2": (89, 47), "k3": (80, 24), "mm": (55, 2.5),
@@ -237,8 +238,8 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.27, {"r_n": 0.42, "r_b": 0.9},
-                                  knit(1.4, 8, min_angle=10))
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.38, "r_b": 0.9},
+                                  knit(1.45, 14, min_angle=5.5), UP)
 
 
 def mask():
@@ -270,8 +271,8 @@ def mask():
     d.both("jaw", "c5 j o7")
     d.both("temple", "o1 fh1 br2")
     d.both("lid", "br2 e3")
-    fabric = knit([1.45, 1.2], 6, min_angle=15, holes=[[-36, 17], [36, 17]])
-    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.05, {"r_n": 0.4, "r_b": 0.9}, fabric, UP)
+    fabric = knit([1.45, 1.2], 8, min_angle=8.2, holes=[[-36, 17], [36, 17]])
+    return "mask", d.document("Mask", "figure 6.12, drawn anew", 1.06, {"r_n": 0.4, "r_b": 0.9}, fabric, UP)
 
 
 def car():
@@ -315,8 +316,8 @@ def car():
     d.both("crease", "d1 d2 d3")
     d.both("front-door", "w2 d1 s4")
     d.both("rear-door", "w5 d3 s7")
-    fabric = knit([1.55, 1.15], 6, min_angle=15)
-    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.15, {"r_n": 0.5, "r_b": 1.2}, fabric, UP)
+    fabric = knit([1.55, 1.15], 8, min_angle=9.7)
+    return "car", d.document("Car concept", "figure 6.11, drawn anew", 1.082, {"r_n": 0.5, "r_b": 1.2}, fabric, UP)
 
 
 def documents():
