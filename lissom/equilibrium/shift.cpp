@@ -8,14 +8,16 @@ namespace lissom {
 namespace {
 
 constexpr double kSmallest = 1e-9;
-constexpr double kFirst = 1e-7;
-constexpr double kFall = 0.01;
+constexpr double kFirst = 1e-7;  // tried when nothing is known
+constexpr double kFall = 0.01;   // least share of the last shift that is tried next, where failing is dear
 constexpr int kSubspace = 2;
 
 }  // namespace
 
 bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
   shift_ = next_;
+  const bool knows_inertia = workspace.factor().statistics().kind == FactorKind::kLdl;
+  const double growth = knows_inertia ? 4 : 8;
   for (int attempt = 0; attempt < 40; ++attempt) {
     const FactorReport report = workspace.factorize(shift_);
     if (report.positive_definite) {
@@ -23,7 +25,8 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
       return true;
     }
     // What was needed last is a better guess than the smallest of all.
-    double proposal = shift_ > 0 ? 8 * shift_ : std::max(0.1 * worked_, kFirst);
+    double proposal = std::max({growth * shift_, 0.1 * worked_, kFirst});
+    if (!knows_inertia && shift_ > 0) proposal = growth * shift_;
     if (rule_ == ShiftRule::kEigenvalue && report.complete && report.negative_pivots > 0 && attempt < 3) {
       // The factor exists though indefinite: iterating with it finds the eigenvalues next to -shift, the negative ones
       // among them; the lowest of these tells how much is missing.
@@ -48,7 +51,11 @@ void ShiftPolicy::learn(NewtonWorkspace& workspace) {
   const double lowest = estimate_lowest(workspace, 4);
   negative_ = std::min(lowest, 0.0);
   // With a shift far above what is needed the estimate cannot tell small eigenvalues apart: do not fall to 0 at once.
-  next_ = std::max(lowest < 0 ? -1.3 * lowest : 0, kFall * shift_);
+  // Only a factor that fails without a word makes that dear: one with inertia tells the eigenvalue when it fails.
+  const bool knows_inertia = workspace.factor().statistics().kind == FactorKind::kLdl;
+  next_ = lowest < 0 ? -1.3 * lowest : 0;
+  if (knows_inertia) return;
+  next_ = std::max(next_, kFall * shift_);
   if (next_ < kSmallest) next_ = 0;
 }
 

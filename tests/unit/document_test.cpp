@@ -165,6 +165,7 @@ class RandomModel {
     for (int i = 0; i < 4; ++i) m.rods.push_back(rod(i));
     m.membrane_materials = {{"f/1", positive(), positive(), number(-0.9, 0.9), positive(), positive(), "s"}};
     for (int i = 0; i < 4; ++i) m.membranes.push_back(membrane(i));
+    m.plan = plan();
     m.fabric_tests = {{"t", {{any(), 1 + positive(), positive(), pick(2) ? positive() : 0}}}};
     m.joint_kind = static_cast<JointKind>(pick(3));
     m.joint_weights = static_cast<JointWeights>(pick(2));
@@ -186,10 +187,33 @@ class RandomModel {
   Vec3 vector() { return {any(), any(), any()}; }
   Vec3 direction() { return Vec3(number(0.1, 1), number(-1, 1), number(-1, 1)).normalized(); }
 
+  Plan plan() {
+    Plan p;
+    for (const char* name : {"a", "b", "c"}) {
+      p.points.push_back({name, Vec2(any(), any()), positive(), positive(), pick(2) == 1});
+    }
+    const bool closed = pick(2) == 1;
+    p.rods = {
+        {"plan 1", {0, 1, 2}, static_cast<PlanCurve>(pick(3)), pick(2) ? PlanRole::kGhost : PlanRole::kRod, closed},
+        {"plan 2", {2, 0}, PlanCurve::kStraight, PlanRole::kRod, false}};
+    p.material = "m/1";
+    p.edge_length = positive();
+    p.max_turn = number(0.01, 0.5);
+    p.fabric.material = "f/1";
+    p.fabric.pre_stretch = pick(2) ? Vec2::Constant(1 + positive()) : Vec2(1 + positive(), 1 + positive());
+    p.fabric.warp_angle = number(-3, 3);
+    p.fabric.edge_length = positive();
+    p.fabric.min_angle = number(0.01, 0.5);
+    p.fabric.bending = positive();
+    p.fabric.outline = {"plan 1"};
+    p.fabric.holes = {Vec2(any(), any())};
+    return p;
+  }
   Selector selector(int depth) {
     Selector s;
     s.kind = static_cast<Selector::Kind>(pick(depth > 0 ? 11 : 10));
     if (s.kind == Selector::Kind::kSet) s.name = "s";
+    if (s.kind == Selector::Kind::kPlanPoint) s.name = "a";
     if (s.kind == Selector::Kind::kRod) {
       s.name = "rod1";
       if (pick(2)) s.fraction = number(0, 1);
