@@ -189,8 +189,9 @@ class RandomModel {
 
   Plan plan() {
     Plan p;
-    for (const char* name : {"a", "b", "c"}) {
-      p.points.push_back({name, Vec2(any(), any()), positive(), positive(), pick(2) == 1});
+    for (const char* name : {"a", "b", "c"}) {  // never at one place
+      const double x = double(p.points.size()) + number(0, 0.9);
+      p.points.push_back({name, Vec2(x, number(-1, 1)), positive(), positive(), pick(2) == 1});
     }
     const bool closed = pick(2) == 1;
     p.rods = {
