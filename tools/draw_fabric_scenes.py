@@ -16,7 +16,8 @@ FOLDER = pathlib.Path(__file__).resolve().parents[1] / "scenes" / "data" / "fabr
 THESIS = "Computational Design of Flexible Structures, "
 SOFT = {"r_n": 0.2, "r_b": 0.4}    # with the soft knit (0.3 N/m)
 PRINTED = {"r_n": 0.65, "r_b": 1.3}  # with the elastane-cotton knit (47.2 N/m)
-UP = {"seed": {"amplitude": 3}}      # the middle goes up, not down
+UP = {"seed": {"amplitude": 3}}  # the middle goes up, not down
+DOWN = {"seed": {"amplitude": -3}}
 
 
 class Drawing:
@@ -213,7 +214,7 @@ def removals_and_kinks():
 
 
 def butterfly():
-    body = {"r_n": 0.42, "r_b": 1.6}
+    body = {"r_n": 0.42, "r_b": 1.3}
     d = Half({"head": (41, body), "tail": (-60, body)}, {
         "b1": (5, 26, body), "b2": (6, 10, body), "b3": (5, -6, body), "b4": (4, -34, body),
         "f1": (40, 57), "f2": (82, 84), "f3": (122, 93), "f4": (117, 56), "f5": (101, 23), "n": (85, 1),
@@ -238,8 +239,8 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.38, "r_b": 0.9},
-                                  knit(1.45, 14, min_angle=5.5), UP)
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.42, "r_b": 0.9},
+                                  knit(1.45, 14, min_angle=5.5), DOWN)
 
 
 def mask():
