@@ -16,8 +16,8 @@ FOLDER = pathlib.Path(__file__).resolve().parents[1] / "scenes" / "data" / "fabr
 THESIS = "Computational Design of Flexible Structures, "
 SOFT = {"r_n": 0.2, "r_b": 0.4}    # with the soft knit (0.3 N/m)
 PRINTED = {"r_n": 0.65, "r_b": 1.3}  # with the elastane-cotton knit (47.2 N/m)
-UP = {"seed": {"amplitude": 3}}  # the middle goes up, not down
-DOWN = {"seed": {"amplitude": -3}}
+UP = {"seed": {"amplitude": 0.3}}  # the middle goes up, not down
+DOWN = {"seed": {"amplitude": -0.3}}
 
 
 class Drawing:
