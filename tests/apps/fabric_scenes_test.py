@@ -73,5 +73,13 @@ class Families(Fabric):
         self.assertLess(self.sides(split)[0], 0.12)
 
 
+class Designs(Fabric):
+    def test_full_designs(self):
+        for name, height in (("butterfly", 0.02), ("mask", 0.02), ("car", 0.025)):
+            totals = self.totals(name)
+            self.assertGreater(totals["height"], height, name)
+            self.assertGreater(totals["smallest_stretch"], 1.02, name)
+
+
 if __name__ == "__main__":
     tool.main()
