@@ -16,7 +16,8 @@ FOLDER = pathlib.Path(__file__).resolve().parents[1] / "scenes" / "data" / "fabr
 THESIS = "Computational Design of Flexible Structures, "
 SOFT = {"r_n": 0.2, "r_b": 0.4}    # with the soft knit (0.3 N/m)
 PRINTED = {"r_n": 0.65, "r_b": 1.3}  # with the elastane-cotton knit (47.2 N/m)
-UP = {"seed": {"amplitude": 3}}      # the middle goes up, not down
+UP = {"seed": {"amplitude": 0.3}}  # the middle goes up, not down
+DOWN = {"seed": {"amplitude": -0.3}}
 
 
 class Drawing:
@@ -77,7 +78,9 @@ class Half(Drawing):
 
 
 def knit(stretch, edge=None, **more):
-    return {"material": "elastane-cotton knit", "pre_stretch": stretch, **({"edge_length": edge} if edge else {}), **more}
+    if edge:
+        more = {"edge_length": edge, **more}
+    return {"material": "elastane-cotton knit", "pre_stretch": stretch, **more}
 
 
 def circle(drawing, name, radius, count, start=0.0, splits=(), **how):
@@ -213,7 +216,7 @@ def removals_and_kinks():
 
 
 def butterfly():
-    body = {"r_n": 0.42, "r_b": 1.6}
+    body = {"r_n": 0.42, "r_b": 1.3}
     d = Half({"head": (41, body), "tail": (-60, body)}, {
         "b1": (5, 26, body), "b2": (6, 10, body), "b3": (5, -6, body), "b4": (4, -34, body),
         "f1": (40, 57), "f2": (82, 84), "f3": (122, 93), "f4": (117, 56), "f5": (101, 23), "n": (85, 1),
@@ -238,15 +241,16 @@ def butterfly():
     d.both("fore-band", "f2 k1 k2 k3 mm")
     d.both("hind-band", "mm p1 p2 p3 h4")
     d.both("fore-cell", "f1 c mm")
-    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.38, "r_b": 0.9},
-                                  knit(1.45, 14, min_angle=5.5), UP)
+    return "butterfly", d.document("Butterfly", "figure 6.10, drawn anew", 1.26, {"r_n": 0.42, "r_b": 0.9},
+                                  knit(1.45, 14, min_angle=5.5), DOWN)
 
 
 def mask():
     d = Half({"crown": (104,), "fore": (68,), "glabella": (36,), "bridge": (14,), "nose": (-12,), "nose-base": (-25,),
               "philtrum": (-33,), "lip-u": (-40,), "mouth": (-47,), "lip-l": (-57,), "crease": (-72,),
               "chin": (-102,)}, {
-        "o1": (36, 98), "o2": (63, 78), "o3": (77, 42), "o4": (79, 4), "o5": (71, -36), "o6": (52, -72), "o7": (25, -97),
+        "o1": (36, 98), "o2": (63, 78), "o3": (77, 42), "o4": (79, 4), "o5": (71, -36),
+        "o6": (52, -72), "o7": (25, -97),
         "e1": (16, 13), "e2": (27, 24), "e3": (42, 25), "e4": (56, 17), "e5": (45, 10), "e6": (30, 9),
         "br1": (16, 38), "br2": (38, 46), "br3": (60, 36),
         "n1": (9, 6), "n2": (17, -15), "n3": (9, -26),
@@ -278,11 +282,11 @@ def mask():
 def car():
     d = Half({"bumper": (153,), "nose": (140,), "screen": (64,), "roof": (18,), "hoop": (-22,), "rear-roof": (-62,),
               "rear-screen": (-101,), "boot": (-140,), "tail": (-152,)}, {
-        "s1": (38, 148), "s2": (67, 134), "s3": (80, 116), "a1": (62, 94), "s4": (84, 72), "s5": (88, 26), "s6": (88, -22),
-        "s7": (85, -68), "a2": (62, -90), "s8": (82, -112), "s9": (70, -136), "s10": (40, -149),
-        "l1": (50, 124), "w1": (50, 94), "w2": (52, 58), "w3": (57, 22), "w4": (59, -22), "w5": (57, -60), "w6": (51, -96),
-        "l2": (50, -124), "r1": (37, 14), "r2": (40, -22), "r3": (36, -58), "c1": (26, 63), "c2": (29, 100), "c3": (26, 138),
-        "t1": (26, -100), "t2": (27, -138), "h1": (50, 138), "h2": (52, -139), "g1": (17, 17), "g2": (19, -22),
+        "s1": (38, 148), "s2": (67, 134), "s3": (80, 116), "a1": (62, 94), "s4": (84, 72),
+        "s5": (88, 26), "s6": (88, -22), "s7": (85, -68), "a2": (62, -90), "s8": (82, -112), "s9": (70, -136), "s10": (40, -149),
+        "l1": (50, 124), "w1": (50, 94), "w2": (52, 58), "w3": (57, 22), "w4": (59, -22),
+        "w5": (57, -60), "w6": (51, -96), "l2": (50, -124), "r1": (37, 14), "r2": (40, -22), "r3": (36, -58), "c1": (26, 63),
+        "c2": (29, 100), "c3": (26, 138), "t1": (26, -100), "t2": (27, -138), "h1": (50, 138), "h2": (52, -139), "g1": (17, 17), "g2": (19, -22),
         "g3": (17, -61), "d1": (72, 62), "d2": (75, -22), "d3": (73, -58)})
     d.across("front", "bumper s1 s2")
     d.both("wing", "s2 s3")

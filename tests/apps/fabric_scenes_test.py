@@ -6,18 +6,20 @@ import sys
 import tool
 
 SCENES = tool.ROOT / "scenes" / "data" / "fabric"
+FLAT = 1e-5  # m
 
 
 class Fabric(tool.ToolTest):
-    def released(self, name):
-        """Solves a scene; its result, which has to be a stable shape."""
+    def totals(self, name):
+        """Solves a scene, which has to end in a stable shape, and returns what is known of that."""
         self.run_tool("solve", str(SCENES / (name + ".lissom")), "-o", str(self.folder))
         result = self.result(name + "-released.json")
         self.assertEqual(result["verdict"]["name"], "stable", name)
-        return result
+        return result["totals"]
 
-    def totals(self, name):
-        return self.released(name)["totals"]
+    def sides(self, totals):
+        """Length, width and height of the box around a shape, m."""
+        return [high - low for low, high in zip(totals["low"], totals["high"])]
 
 
 class Drawing(Fabric):
@@ -27,18 +29,56 @@ class Drawing(Fabric):
         self.assertEqual(done.returncode, 0, done.stderr)
 
 
-class Frames(Fabric):
-    def test_settings_of_figure_6_3(self):
+class Families(Fabric):
+    def test_frames(self):
         base, more = self.totals("frame-base"), self.totals("frame-more-stretch")
         soft, thick = self.totals("frame-soft-in-plane"), self.totals("frame-thick")
-        self.assertGreater(base["height"], 0.03)
+        length, width, height = self.sides(base)
+        self.assertAlmostEqual(length, width, delta=1e-4)  # a saddle: both diagonals bend alike
+        self.assertGreater(height, 0.03)
         self.assertGreater(base["smallest_stretch"], 1)
         self.assertGreater(more["height"], 1.5 * base["height"])
         self.assertGreater(more["smallest_stretch"], 1)
         self.assertLess(soft["smallest_stretch"], 1)
-        self.assertGreater(soft["slack_area"], 0)
-        self.assertLess(thick["height"], 1e-5)
+        self.assertGreater(soft["slack_area"], 0.1 * soft["area"])
+        self.assertLess(thick["height"], FLAT)
         self.assertGreater(thick["smallest_stretch"], 1.2)
+
+    def test_discs(self):
+        split, crossed, ringed = (self.totals("disc-" + name) for name in ("split", "crossed", "ringed"))
+        self.assertGreater(split["height"], 0.06)  # kinks at the cut
+        self.assertLess(split["smallest_stretch"], 1)
+        for disc in (crossed, ringed):
+            self.assertGreater(disc["height"], 0.015)
+            self.assertLess(disc["height"], 0.03)
+            self.assertGreater(disc["smallest_stretch"], 1.2)
+
+    def test_rectangles(self):
+        empty, squares, strips = (self.totals("rectangle-" + name) for name in ("empty", "squares", "strips"))
+        self.assertLess(empty["area"], 0.9 * strips["area"])  # compressed sideways
+        self.assertLess(squares["height"], 0.6 * strips["height"])
+        self.assertGreater(strips["height"], 0.04)
+        self.assertGreater(self.sides(strips)[1], 0.095)
+        self.assertGreater(strips["smallest_stretch"], 1.1)
+
+    def test_removed_rods(self):
+        whole, one, rim = (self.totals("wheel-" + name) for name in ("whole", "one-removed", "rim-removed"))
+        self.assertGreater(one["height"], whole["height"])
+        self.assertGreater(rim["height"], 1.3 * one["height"])
+
+    def test_kinks(self):
+        self.assertLess(self.totals("kink-whole")["height"], FLAT)
+        split = self.totals("kink-split")
+        self.assertGreater(split["height"], 0.05)
+        self.assertLess(self.sides(split)[0], 0.12)
+
+
+class Designs(Fabric):
+    def test_full_designs(self):
+        for name, height in (("butterfly", 0.02), ("mask", 0.02), ("car", 0.025)):
+            totals = self.totals(name)
+            self.assertGreater(totals["height"], height, name)
+            self.assertGreater(totals["smallest_stretch"], 1.02, name)
 
 
 if __name__ == "__main__":
