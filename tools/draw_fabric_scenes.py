@@ -103,8 +103,8 @@ def frame(title, stretch, radii):
         d.point(name, x, y)
     for side in ("a b", "b c", "c d", "d a"):
         d.rod(side.replace(" ", ""), side, "straight")
-    return d.document(title, "figure 6.3", 5, radii,
-                      {"material": "soft knit", "pre_stretch": stretch})
+    drawn = d.document(title, "figure 6.3", 5, radii, {"material": "soft knit", "pre_stretch": stretch})
+    return {"lissom": 1, "torsion": "polar", **drawn}  # the torsion constant of the thesis
 
 
 def frames():

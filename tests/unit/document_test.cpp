@@ -189,9 +189,10 @@ class RandomModel {
 
   Plan plan() {
     Plan p;
-    for (const char* name : {"a", "b", "c"}) {  // never at one place
-      const double x = double(p.points.size()) + number(0, 0.9);
-      p.points.push_back({name, Vec2(x, number(-1, 1)), positive(), positive(), pick(2) == 1});
+    for (const char* name : {"a", "b", "c"}) {  // never at one place nor in line
+      const size_t k = p.points.size();
+      const Vec2 at(double(k) + number(0, 0.9), k == 1 ? number(0.5, 1) : number(-1, 0));
+      p.points.push_back({name, at, positive(), positive(), pick(2) == 1});
     }
     const bool closed = pick(2) == 1;
     p.rods = {
