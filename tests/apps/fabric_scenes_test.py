@@ -45,7 +45,9 @@ class Families(Fabric):
         self.assertGreater(thick["smallest_stretch"], 1.2)
 
     def test_discs(self):
-        split, crossed, ringed = (self.totals("disc-" + name) for name in ("split", "crossed", "ringed"))
+        empty, split, crossed, ringed = (
+            self.totals("disc-" + name) for name in ("empty", "split", "crossed", "ringed"))
+        self.assertGreater(empty["height"], 0.055)  # a deep saddle that turns about its axis at nearly no cost
         self.assertGreater(split["height"], 0.06)  # kinks at the cut
         self.assertLess(split["smallest_stretch"], 1)
         for disc in (crossed, ringed):
