@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numbers>
+#include <random>
 #include <utility>
 
 #include "bench/fabric_problems.h"
@@ -221,6 +223,54 @@ TEST(Fabric, BranchesOfTheSquareFrame) {
       EXPECT_GT(shape_distance(*framed.problem, a, b, Image::kItself), options.alike * framed.problem->scales.length);
     }
   }
+}
+
+/// A start raised to a random cubic polynomial over the plan, up to a fifth of the extent, lengths of rods kept.
+State random_start(const Framed& framed, std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  double c[10];
+  for (double& x : c) x = number(random);
+  const double half = 0.5 * framed.system->structure.size / std::numbers::sqrt2;
+  const double amplitude = half * std::pow(10, number(random) - 1);
+  const int nodes = framed.system->layout.nodes();
+  VecX height(nodes), dq = VecX::Zero(framed.system->layout.size());
+  for (int i = 0; i < nodes; ++i) {
+    const double x = framed.system->structure.nodes[i].x() / half, y = framed.system->structure.nodes[i].y() / half;
+    height[i] = c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y + c[6] * x * x * x +
+                c[7] * x * x * y + c[8] * x * y * y + c[9] * y * y * y;
+  }
+  height *= amplitude / height.cwiseAbs().maxCoeff();
+  for (int i = 0; i < nodes; ++i) dq[3 * i + 2] = height[i];
+  const State drawn = drawn_state(*framed.system);
+  LengthFit fit(*framed.problem, RigidDrift(*framed.problem).can_move());
+  VecX mended = dq;
+  const VecX still = VecX::Zero(dq.size());
+  State start;
+  EXPECT_TRUE(fit.mend(drawn, 1, still, mended));
+  EXPECT_TRUE(advance(*framed.system, drawn, mended, start));
+  return start;
+}
+
+TEST(Fabric, RandomStartsFindNoShapeThatTheSearchMisses) {
+  const Framed framed(frame(8, 0.2, 0.4, 1.3));
+  const BranchOptions options;
+  const BranchSearch search = find_branches(*framed.problem, framed.model.poses[0], options);
+  const double alike = options.alike * framed.problem->scales.length;
+  std::mt19937 random(3);
+  int settled = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Equilibrium e = solve(*framed.problem, random_start(framed, random), 1, {});
+    if (e.verdict != Verdict::kStable) continue;
+    ++settled;
+    bool known = false;
+    for (const Branch& branch : search.branches) {
+      for (const Image image : {Image::kItself, Image::kMirrored}) {
+        known = known || shape_distance(*framed.problem, branch.equilibrium.state, e.state, image) < alike;
+      }
+    }
+    EXPECT_TRUE(known) << "start " << k << ": " << 1e3 * e.energy << " mJ";
+  }
+  EXPECT_GE(settled, 195);
 }
 
 }  // namespace
