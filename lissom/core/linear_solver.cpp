@@ -30,9 +30,9 @@ namespace {
 /// membranes.
 constexpr double kMetisWorthFlopsPerUnknown = 10000;
 /// Operations per nonzero of the factor from which dense blocks beat indexed loops: at 36 (rod networks of 12k
-/// unknowns) LDL' needs 0.7 of the time of LL', at 73 (a membrane of 2.7k) 1.4, at 110 (8k) 2 to 3
-/// (bench/linear_solver_bench).
-constexpr double kWideFlopsPerNonzero = 65;
+/// unknowns) LDL' needs 0.7 of the time of LL', at 63 (a membrane full of rods, 10k) 1.2 to 1.6, at 73 (a membrane of 2.7k)
+/// 1.4, at 110 (8k) 2 to 3 (bench/linear_solver_bench).
+constexpr double kWideFlopsPerNonzero = 55;
 /// Numbers of right-hand sides that are solved together, widest first. Each has workspaces of its own, because CHOLMOD
 /// allocates them anew whenever their shape changes.
 constexpr std::array<int, 4> kBlockColumns{32, 8, 4, 1};

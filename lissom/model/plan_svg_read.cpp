@@ -152,7 +152,7 @@ class SvgReader {
     return std::vector<SubPath>{std::move(part)};
   }
 
-  void add(const pugi::xml_node& node, const Style& style, SubPath part) {
+  void add(const pugi::xml_node& node, const Style& style, const SubPath& part) {
     const std::optional<PlanRole> role = role_of_layer(style.layer);
     if (!role) {
       ++drawing_.left_out;
