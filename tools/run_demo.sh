@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make run` shows once the tool is built: a gridshell that rises and a hexagon sheet that hangs, solved, drawn and
-# written for ParaView. Results go to out/.
+# What `make run` shows once the tool is built: a gridshell that rises, a hexagon sheet that hangs and a butterfly of rods on
+# stretched fabric that lifts its wings, solved, drawn and written for ParaView. Results go to out/.
 set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
@@ -17,7 +17,7 @@ show() {
 }
 
 show "$lissom" --version
-for structure in scenes/data/gridshell.lissom scene:hexagon_sheet; do
+for structure in scenes/data/gridshell.lissom scene:hexagon_sheet scenes/data/fabric/butterfly.lissom; do
   show "$lissom" solve "$structure" -o out --picture png --field stress --vtu
 done
 
