@@ -112,7 +112,7 @@ class SvgReader {
     }
     Result<std::vector<SubPath>> shape = shape_of(node, name);
     if (!shape) return located(shape.error(), node);
-    for (SubPath& part : shape.value()) add(node, style, std::move(part));
+    for (const SubPath& part : shape.value()) add(node, style, part);
     return {};
   }
 
