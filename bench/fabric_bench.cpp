@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bench/fabric_problems.h"
+#include "bench/first_pose.h"
 #include "bench/timing.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/solve.h"
@@ -45,17 +46,9 @@ double height(const System& system, const State& state) {
 }
 
 void measure(const std::string& name, const Model& model) {
-  const Result<System> system = make_system(model);
-  if (!system) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), system.error().text().c_str());
-    return;
-  }
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), model.poses[0], "/poses/0");
-  if (!problem) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), problem.error().text().c_str());
-    return;
-  }
-  const StaticProblem& p = problem.value();
+  const FirstPose ready = first_pose(name, model);
+  if (!ready.problem) return;
+  const StaticProblem& p = *ready.problem;
   row(name, "unknowns", p.supports.unknowns(), "");
   const State start = start_state(p, model.poses[0]);
   for (const Method& method : kMethods) {
@@ -64,10 +57,10 @@ void measure(const std::string& name, const Model& model) {
     Equilibrium found;
     const double time = least_ms(1, [&] { found = solve(p, start, 1, options); });
     const std::string label = name + ", " + method.name;
-    row(label, "factorisations", found.factorizations, "");
+    row(label, "factorizations", found.factorizations, "");
     row(label, "time", time, "ms");
     row(label, "energy", 1e3 * found.energy, "N mm");
-    row(label, "height", 1e3 * height(system.value(), found.state), "mm");
+    row(label, "height", 1e3 * height(*ready.system, found.state), "mm");
     row(label, "stable", found.verdict == Verdict::kStable, "");
   }
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/first_pose.h"
 #include "bench/networks.h"
 #include "bench/timing.h"
 #include "lissom/equilibrium/newton_workspace.h"
@@ -15,17 +16,9 @@ namespace lissom {
 namespace {
 
 void measure(const std::string& name, const Model& model, int repetitions) {
-  const Result<System> system = make_system(model);
-  if (!system) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), system.error().text().c_str());
-    return;
-  }
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), model.poses[0], "/poses/0");
-  if (!problem) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), problem.error().text().c_str());
-    return;
-  }
-  const StaticProblem& p = problem.value();
+  const FirstPose ready = first_pose(name, model);
+  if (!ready.problem) return;
+  const StaticProblem& p = *ready.problem;
   const Context context;
   NewtonWorkspace workspace(p, context);
   State state = start_state(p, model.poses[0]);
@@ -54,7 +47,7 @@ void measure(const std::string& name, const Model& model, int repetitions) {
     const double solved = now_ms();
     workspace.to_increment(x, increment);
     increment *= 1e-3;
-    if (advance(system.value(), state, increment, trial)) workspace.energy(trial);
+    if (advance(*ready.system, state, increment, trial)) workspace.energy(trial);
     iteration = std::min(iteration, now_ms() - begin);
     factor = std::min(factor, factored - assembled);
     back_solve = std::min(back_solve, solved - factored);
