@@ -26,7 +26,7 @@ Status check_command(const CLI::App& app, int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"lissom: predicts the shape of flexible structures made of rods.", "lissom"};
+  CLI::App app{"lissom: predicts the shape of flexible structures made of rods and membranes.", "lissom"};
   app.set_version_flag("--version", std::string("lissom ") + LISSOM_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);

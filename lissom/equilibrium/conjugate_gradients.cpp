@@ -4,29 +4,26 @@
 
 namespace lissom {
 
-CgEnd conjugate_gradients(NewtonWorkspace& workspace, const VecX& b, double tolerance, int most_iterations, VecX& x,
-                          int& iterations) {
-  VecX r = b, z, p, image;
+CgEnd ConjugateGradients::solve(NewtonWorkspace& workspace, const VecX& b, double tolerance, int most_iterations,
+                                VecX& x) {
+  r_ = b;
   x.setZero(b.size());
-  workspace.factor().solve(r, z);
-  p = z;
-  double rz = r.dot(z);
+  workspace.factor().solve(r_, z_);
+  p_ = z_;
+  double rz = r_.dot(z_);
   const double wanted = tolerance * tolerance * rz;
-  for (iterations = 0; iterations < most_iterations; ++iterations) {
-    workspace.multiply_free(p, image);
-    const double curvature = p.dot(image);
+  for (int k = 0; k < most_iterations; ++k) {
+    workspace.multiply_free(p_, image_);
+    const double curvature = p_.dot(image_);
     if (!(curvature > 0)) return CgEnd::kNegative;
     const double a = rz / curvature;
-    x += a * p;
-    r -= a * image;
-    workspace.factor().solve(r, z);
-    const double next = r.dot(z);
+    x += a * p_;
+    r_ -= a * image_;
+    workspace.factor().solve(r_, z_);
+    const double next = r_.dot(z_);
     if (!std::isfinite(next)) return CgEnd::kMissed;
-    if (next <= wanted) {
-      ++iterations;
-      return CgEnd::kConverged;
-    }
-    p = z + (next / rz) * p;
+    if (next <= wanted) return CgEnd::kConverged;
+    p_ = z_ + (next / rz) * p_;
     rz = next;
   }
   return CgEnd::kMissed;

@@ -12,8 +12,13 @@ enum class CgEnd {
   kNegative,  ///< a direction without positive curvature was met
 };
 
-/// Solves H x = b for the free unknowns to `tolerance` in the norm of the preconditioner. x is the best found.
-CgEnd conjugate_gradients(NewtonWorkspace& workspace, const VecX& b, double tolerance, int most_iterations, VecX& x,
-                          int& iterations);
+class ConjugateGradients {
+ public:
+  /// Solves H x = b for the free unknowns to `tolerance` in the norm of the preconditioner; x may not be b.
+  CgEnd solve(NewtonWorkspace& workspace, const VecX& b, double tolerance, int most_iterations, VecX& x);
+
+ private:
+  VecX r_, z_, p_, image_;
+};
 
 }  // namespace lissom

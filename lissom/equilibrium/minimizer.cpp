@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lissom/equilibrium/block_relaxation.h"
-#include "lissom/equilibrium/conjugate_gradients.h"
 #include "lissom/equilibrium/escape.h"
 #include "lissom/equilibrium/shift.h"
 #include "lissom/equilibrium/step_limits.h"
@@ -50,7 +49,7 @@ void Minimizer::renew_terms() {
 double Minimizer::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
   if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
-  if (rods_) rods_->relax(trial_, predicted_ ? kFirstRelaxation : 2, shift_.shift(), tolerance_);
+  if (rods_) rods_->relax(trial_, predicted_ ? kFirstRelaxation : 2, shift(), tolerance_);
   const double v = workspace_.energy(trial_);
   return std::isfinite(v) ? v : INFINITY;
 }
@@ -108,9 +107,7 @@ bool Minimizer::newton_step() {
   if (stale_) {
     own_factor_ = false;
     image_ = free_;
-    int iterations = 0;
-    const CgEnd end = conjugate_gradients(workspace_, image_, kCgTolerance, kCgIterations, free_, iterations);
-    if (end == CgEnd::kConverged) return true;
+    if (cg_.solve(workspace_, image_, kCgTolerance, kCgIterations, free_) == CgEnd::kConverged) return true;
     free_ = -workspace_.free_gradient();
   }
   own_factor_ = true;
@@ -130,7 +127,7 @@ void Minimizer::leave_saddle() {
   direction.cwiseAbs().maxCoeff(&largest);
   if (direction[largest] < 0) direction = -direction;
   if (escape(workspace_, options_.path, trial_, direction)) {
-    if (rods_) rods_->relax(trial_, kFirstRelaxation, shift_.shift(), tolerance_);
+    if (rods_) rods_->relax(trial_, kFirstRelaxation, shift(), tolerance_);
     trial_energy_ = workspace_.energy(trial_);
   }
 }
@@ -144,7 +141,6 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
   stale_ = reuse_ && workspace_.has_plain_factor();
   if (rods_ && !predict_) {
-    workspace_.assemble(state);  // for the metric
     rods_->relax(state, kFirstRelaxation, 0, tolerance_);
   }
   energy_ = workspace_.energy(*state_);
@@ -195,7 +191,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
         continue;
       }
       bool polished = false;
-      if (shift_.shift() == 0 && path_.at(reach, trial_)) {
+      if (shift() == 0 && path_.at(reach, trial_)) {
         workspace_.gradient(trial_, image_);
         workspace_.problem().supports.restrict(image_, free_);
         polished = workspace_.residual(free_) < 0.9 * residual;
@@ -209,7 +205,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
       taken_ = reach;
     }
     const double turn = largest_turn(workspace_.system(), *state_, step_);
-    if (moved && first_trial_ && shift_.shift() > 0 && options_.expansion == Expansion::kOn) {
+    if (moved && first_trial_ && shift() > 0 && options_.expansion == Expansion::kOn) {
       expand(slope, turn, largest_roll(workspace_.system(), step_));
     }
     if (own_factor_) shift_.learn(workspace_);
@@ -219,8 +215,8 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
     std::swap(*state_, trial_);
     const double before = energy_;
     energy_ = trial_energy_;
-    records.push_back({static_cast<int>(records.size()), state_->load_factor, energy_, result.residual, shift_.shift(),
-                       taken_, taken_ * turn, workspace_.factorizations()});
+    records.push_back({static_cast<int>(records.size()), state_->load_factor, energy_, result.residual, shift(), taken_,
+                       taken_ * turn, workspace_.factorizations()});
     workspace_.context().report({"solve", -1, static_cast<int>(records.size()), result.residual, "minimising energy"});
     // Rounding in the energy can hide a cycle: stop when neither energy nor residual improves for a while.
     without_progress = (before - energy_ > kEnergyNoise * std::abs(energy_) || result.residual < 0.5 * least_residual)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lissom/equilibrium/block_relaxation.h"
+#include "lissom/equilibrium/conjugate_gradients.h"
 #include "lissom/equilibrium/equilibrium.h"
 #include "lissom/equilibrium/newton_workspace.h"
 #include "lissom/equilibrium/options.h"
@@ -39,6 +40,8 @@ class Minimizer {
 
  private:
   bool newton_step();
+  /// Of the matrix that gave the present step.
+  double shift() const { return own_factor_ ? shift_.shift() : 0; }
   double try_at(double a);
   bool line_search(double slope, double curvature, double reach);
   void expand(double slope, double turn, double roll);
@@ -49,6 +52,7 @@ class Minimizer {
   SolveOptions options_;
   StepPathPolicy path_;
   ShiftPolicy shift_;
+  ConjugateGradients cg_;
   std::optional<BlockRelaxer> frames_, rods_;
   State* state_ = nullptr;
   State trial_, best_;

@@ -22,6 +22,19 @@ Principal principal(double xx, double yy, double xy) {
   return {mean + radius, mean - radius, Vec2(std::cos(angle), std::sin(angle))};
 }
 
+Eigen::Matrix2d green_strain(const TriangleStretch& stretch) {
+  return (stretch.gradient.transpose() * stretch.gradient - Eigen::Matrix2d::Identity()) / 2;
+}
+
+/// Second Piola-Kirchhoff tension, N/m.
+Eigen::Matrix2d piola_tension(const TriangleRest& rest, const Eigen::Matrix2d& e) {
+  const auto c = SheetModuli<double>::of(rest.stiffness_1, rest.stiffness_2, rest.poisson_ratio);
+  Eigen::Matrix2d s;
+  s << c.c11 * e(0, 0) + c.c12 * e(1, 1), 2 * c.shear * e(0, 1), 2 * c.shear * e(0, 1),
+      c.c12 * e(0, 0) + c.c22 * e(1, 1);
+  return s;
+}
+
 }  // namespace
 
 double stretch_share(const Pose& pose, double load_factor) {
@@ -31,12 +44,12 @@ double stretch_share(const Pose& pose, double load_factor) {
 TriangleStretch triangle_stretch(const TriangleRest& rest, const std::array<Vec3, 3>& now, const Vec2& pre_stretch,
                                  double stretch_share) {
   const Vec2 growth = pre_stretch.cwiseQuotient(Vec2::Ones() + stretch_share * (pre_stretch - Vec2::Ones()));
-  Eigen::Matrix2d sides;
+  TriangleStretch stretch;
+  Eigen::Matrix2d& sides = stretch.rest_sides;
   sides << (rest.corner[1] - rest.corner[0]).cwiseProduct(growth),
       (rest.corner[2] - rest.corner[0]).cwiseProduct(growth);
   Eigen::Matrix<double, 3, 2> moved;
   moved << now[1] - now[0], now[2] - now[0];
-  TriangleStretch stretch;
   stretch.gradient = moved * sides.inverse();
   stretch.rest_area = std::abs(sides.determinant()) / 2;
   stretch.area = Vec3(moved.col(0)).cross(Vec3(moved.col(1))).norm() / 2;
@@ -61,13 +74,14 @@ std::vector<TriangleStretch> triangle_stretches(const System& system, const Stat
   return stretches;
 }
 
+Mat3 cauchy_tension(const TriangleRest& rest, const TriangleStretch& stretch) {
+  const Eigen::Matrix2d s = piola_tension(rest, green_strain(stretch));
+  return stretch.gradient * s * stretch.gradient.transpose() * (stretch.rest_area / stretch.area);
+}
+
 TriangleTension triangle_tension(const TriangleRest& rest, const TriangleStretch& stretch) {
   const Eigen::Matrix<double, 3, 2>& f = stretch.gradient;
-  const Eigen::Matrix2d e = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
-  const auto c = SheetModuli<double>::of(rest.stiffness_1, rest.stiffness_2, rest.poisson_ratio);
-  Eigen::Matrix2d s;  // second Piola-Kirchhoff, N/m
-  s << c.c11 * e(0, 0) + c.c12 * e(1, 1), 2 * c.shear * e(0, 1), 2 * c.shear * e(0, 1),
-      c.c12 * e(0, 0) + c.c22 * e(1, 1);
+  const Eigen::Matrix2d e = green_strain(stretch), s = piola_tension(rest, e);
   TriangleTension tension;
   tension.energy = (s.cwiseProduct(e)).sum() / 2;
   // F S F^T / J in an orthonormal basis of the plane of the triangle.

@@ -16,6 +16,7 @@ namespace lissom {
 /// Singular values of the deformation gradient F from the unstretched cloth to space.
 struct TriangleStretch {
   Eigen::Matrix<double, 3, 2> gradient;  ///< F, columns along the material axes
+  Eigen::Matrix2d rest_sides;            ///< m, from the first corner to the others, unstretched, along the axes
   double largest = 1, smallest = 1;      ///< principal stretches; smallest < 1: slack
   double rest_area = 0, area = 0;        ///< m^2, unstretched and now
 };
@@ -36,6 +37,9 @@ TriangleStretch triangle_stretch(const TriangleRest& rest, const std::array<Vec3
 
 /// Of all triangles of the structure.
 std::vector<TriangleStretch> triangle_stretches(const System& system, const State& state, double stretch_share);
+
+/// Cauchy tension F S F' A / a in the plane of the triangle, as a matrix in space, N/m. `rest` for the moduli.
+Mat3 cauchy_tension(const TriangleRest& rest, const TriangleStretch& stretch);
 
 /// `rest` for the moduli.
 TriangleTension triangle_tension(const TriangleRest& rest, const TriangleStretch& stretch);

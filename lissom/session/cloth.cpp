@@ -1,47 +1,41 @@
 #include "lissom/session/cloth.h"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
+#include <array>
 
 #include "lissom/session/quantity_families.h"
 
 namespace lissom {
 
-double Sides::rest_area() const { return 0.5 * rest.determinant(); }
-double Sides::area() const { return 0.5 * now.col(0).cross(now.col(1)).norm(); }
-Mat32 Sides::gradient() const { return now * rest.inverse(); }
 Vec2 Sides::parts(const Vec3& direction) const { return drawn.colPivHouseholderQr().solve(direction); }
 Vec2 Sides::parts_across(const Vec3& direction) const {
   const Vec3 normal = drawn.col(0).cross(drawn.col(1)).normalized();
   return parts(normal.cross(direction));
 }
 
-Vec2 present_pre_stretch(const Situation& s, const StructureMembrane& membrane) {
-  if (!s.problem->stretches_with_load) return membrane.pre_stretch;
-  return Vec2::Ones() + s.state.load_factor * (membrane.pre_stretch - Vec2::Ones());
-}
-
 namespace {
 
-/// Factors by which the rest corners are larger than RestState says, because the pre-stretch grows with the load.
-Vec2 rest_growth(const Situation& s, const StructureMembrane& membrane) {
-  if (!s.problem->stretches_with_load) return Vec2::Ones();
-  return membrane.pre_stretch.cwiseQuotient(present_pre_stretch(s, membrane));
-}
+/// Part of the pre-stretch that is there in the situation.
+double share_of(const Situation& s) { return s.problem->stretches_with_load ? s.state.load_factor : 1; }
 
 }  // namespace
+
+Vec2 present_pre_stretch(const Situation& s, const StructureMembrane& membrane) {
+  return Vec2::Ones() + share_of(s) * (membrane.pre_stretch - Vec2::Ones());
+}
 
 Sides sides_of(const Situation& s, int t) {
   const StructureTriangle& triangle = s.system->structure.triangles[t];
   const TriangleRest& rest = s.system->rest.triangles[t];
-  const Vec2 growth = rest_growth(s, s.system->structure.membranes[triangle.membrane]);
+  std::array<Vec3, 3> now;
+  for (int i = 0; i < 3; ++i) now[i] = s.state.position(triangle.node[i]);
   Sides sides;
   sides.moduli = &rest;
+  const Vec2& pre_stretch = s.system->structure.membranes[triangle.membrane].pre_stretch;
+  sides.stretch = triangle_stretch(rest, now, pre_stretch, share_of(s));
   for (int i = 0; i < 2; ++i) {
-    const int from = triangle.node[0], to = triangle.node[i + 1];
-    sides.drawn.col(i) = s.system->structure.nodes[to] - s.system->structure.nodes[from];
-    sides.now.col(i) = s.state.position(to) - s.state.position(from);
-    sides.rest.col(i) = (rest.corner[i + 1] - rest.corner[0]).cwiseProduct(growth);
+    sides.drawn.col(i) = s.system->structure.nodes[triangle.node[i + 1]] - s.system->structure.nodes[triangle.node[0]];
+    sides.now.col(i) = now[i + 1] - now[0];
   }
   return sides;
 }

@@ -3,22 +3,19 @@
 
 #include <vector>
 
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/quantities.h"
 
 namespace lissom {
 
 using Mat32 = Eigen::Matrix<double, 3, 2>;
-using Mat2 = Eigen::Matrix2d;
 
-/// A triangle of the situation: its two sides from the first corner, drawn, at rest and now.
+/// A triangle of the situation: its stretch, and its two sides from the first corner, drawn and now.
 struct Sides {
   Mat32 drawn, now;  ///< m, columns in space
-  Mat2 rest;         ///< m, columns along the material axes
+  TriangleStretch stretch;
   const TriangleRest* moduli = nullptr;
 
-  double rest_area() const;
-  double area() const;
-  Mat32 gradient() const;  ///< of the place now by the place at rest
   /// How much of each side makes up a direction of the drawing, laid into the drawn triangle.
   Vec2 parts(const Vec3& direction) const;
   /// The same for the direction at right angles to it, anticlockwise in the drawn triangle.

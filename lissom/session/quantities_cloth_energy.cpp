@@ -84,7 +84,7 @@ Result<double> energy_density(const Measurement& m, bool stretch, bool bending) 
   for (const int t : cloth.value().triangles) {
     if (stretch) sum += energies.stretch[t];
     if (bending) sum += energies.bending[t];
-    area += sides_of(s, t).rest_area();
+    area += sides_of(s, t).stretch.rest_area;
   }
   return sum / area;
 }

@@ -1,11 +1,9 @@
 // Stretches, tensions and areas of membranes.
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lissom/mechanics/membrane_stretch.h"
 #include "lissom/session/cloth.h"
 #include "lissom/session/quantity_families.h"
 
@@ -27,36 +25,8 @@ Result<double> mean(const Measurement& m, const Value& value, const Weight& weig
   return sum / total;
 }
 
-double by_rest_area(const Sides& sides) { return sides.rest_area(); }
-double by_area(const Sides& sides) { return sides.area(); }
-
-/// Principal stretches, the larger first.
-Vec2 principal_stretches(const Sides& sides) {
-  const Mat2 c = sides.gradient().transpose() * sides.gradient();
-  const double middle = 0.5 * c.trace();
-  const double half = std::hypot(0.5 * (c(0, 0) - c(1, 1)), c(0, 1));
-  // The smaller from the determinant: their difference would lose digits.
-  const double larger = middle + half;
-  return Vec2(std::sqrt(larger), std::sqrt(std::max(0.0, c.determinant()) / larger));
-}
-
-/// Second Piola-Kirchhoff tension, N/m.
-Mat2 piola_tension(const Sides& sides) {
-  const auto c =
-      SheetModuli<double>::of(sides.moduli->stiffness_1, sides.moduli->stiffness_2, sides.moduli->poisson_ratio);
-  const Mat2 strain = 0.5 * (sides.gradient().transpose() * sides.gradient() - Mat2::Identity());
-  Mat2 s;
-  s(0, 0) = c.c11 * strain(0, 0) + c.c12 * strain(1, 1);
-  s(1, 1) = c.c22 * strain(1, 1) + c.c12 * strain(0, 0);
-  s(0, 1) = s(1, 0) = 2 * c.shear * strain(0, 1);
-  return s;
-}
-
-/// Cauchy tension in the plane of the triangle, as a matrix in space, N/m.
-Mat3 tension(const Sides& sides) {
-  const Mat32 f = sides.gradient();
-  return f * piola_tension(sides) * f.transpose() * (sides.rest_area() / sides.area());
-}
+double by_rest_area(const Sides& sides) { return sides.stretch.rest_area; }
+double by_area(const Sides& sides) { return sides.stretch.area; }
 
 Result<const StructureMembrane*> membrane_of(const Measurement& m, const System& system) {
   for (const StructureMembrane& membrane : system.structure.membranes) {
@@ -73,7 +43,7 @@ Result<double> membrane_line_stretch(const Measurement& m) {
       m,
       [&](const Sides& sides) {
         const Vec2 parts = sides.parts(*m.expectation.axis);
-        return (sides.now * parts).norm() / (sides.rest * parts).norm();
+        return (sides.now * parts).norm() / (sides.stretch.rest_sides * parts).norm();
       },
       by_rest_area);
 }
@@ -94,7 +64,7 @@ Result<double> membrane_largest_stretch(const Measurement& m) {
   if (!cloth) return cloth.error();
   double largest = 0;
   for (const int t : cloth.value().triangles) {
-    largest = std::max(largest, principal_stretches(sides_of(*cloth.value().in, t))[0]);
+    largest = std::max(largest, sides_of(*cloth.value().in, t).stretch.largest);
   }
   return largest;
 }
@@ -104,7 +74,7 @@ Result<double> membrane_smallest_stretch(const Measurement& m) {
   if (!cloth) return cloth.error();
   double smallest = std::numeric_limits<double>::infinity();
   for (const int t : cloth.value().triangles) {
-    smallest = std::min(smallest, principal_stretches(sides_of(*cloth.value().in, t))[1]);
+    smallest = std::min(smallest, sides_of(*cloth.value().in, t).stretch.smallest);
   }
   return smallest;
 }
@@ -113,7 +83,7 @@ Result<double> membrane_tension(const Measurement& m) {
   return mean(
       m,
       [&](const Sides& sides) {
-        const Mat3 now = tension(sides);
+        const Mat3 now = cauchy_tension(*sides.moduli, sides.stretch);
         if (!m.expectation.axis) return 0.5 * now.trace();
         const Vec3 along = (sides.now * sides.parts(*m.expectation.axis)).normalized();
         return along.dot(now * along);
@@ -125,7 +95,7 @@ Result<double> membrane_area(const Measurement& m) {
   const Result<Cloth> cloth = cloth_at(m);
   if (!cloth) return cloth.error();
   double sum = 0;
-  for (const int t : cloth.value().triangles) sum += sides_of(*cloth.value().in, t).area();
+  for (const int t : cloth.value().triangles) sum += sides_of(*cloth.value().in, t).stretch.area;
   return sum;
 }
 
@@ -133,7 +103,7 @@ Result<double> membrane_rest_area(const Measurement& m) {
   const Result<Cloth> cloth = cloth_at(m);
   if (!cloth) return cloth.error();
   double sum = 0;
-  for (const int t : cloth.value().triangles) sum += sides_of(*cloth.value().in, t).rest_area();
+  for (const int t : cloth.value().triangles) sum += sides_of(*cloth.value().in, t).stretch.rest_area;
   return sum;
 }
 

@@ -15,7 +15,9 @@ namespace {
 constexpr const char* kFile = "../shared/data/two-bumps.obj";
 
 TEST(TwoBumps, RisesOrSinksAsTheSeedSays) {
-  if (!std::filesystem::exists(kFile)) GTEST_SKIP() << kFile << " is not here";
+  if (!std::filesystem::exists(kFile)) {
+    GTEST_SKIP() << kFile << " is not here: a drawing by others, which the repository does not carry";
+  }
   const Result<ObjLines> lines = read_obj_lines(read_file(kFile).value(), kFile);
   ASSERT_TRUE(lines.ok()) << lines.error().text();
   EXPECT_EQ(lines.value().points.size(), 237u);
