@@ -1,11 +1,12 @@
 #pragma once
-/// Forward second-order automatic differentiation with a fixed number of active variables: value, gradient and Hessian
-/// of one scalar expression. Used where derivatives follow from a value that is written once, and to check those that
+/// Forward automatic differentiation of first and second order with a fixed number of active variables: value, gradient
+/// and Hessian of one scalar expression. Used where derivatives follow from a value that is written once, and to check those that
 /// are written by hand.
 
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <concepts>
 
 /// Arithmetic on duals is loops over hundreds of numbers: inlining it buys nothing and costs minutes of compilation.
 #if defined(__GNUC__)
@@ -82,37 +83,7 @@ struct Dual2 {
   }
 };
 
-template <int N>
-Dual2<N> sqrt(const Dual2<N>& x) {
-  const double s = std::sqrt(x.a);
-  return Dual2<N>::chain(x, s, 0.5 / s, -0.25 / (s * x.a));
-}
-
-template <int N>
-Dual2<N> sin(const Dual2<N>& x) {
-  const double s = std::sin(x.a), c = std::cos(x.a);
-  return Dual2<N>::chain(x, s, c, -s);
-}
-
-template <int N>
-Dual2<N> cos(const Dual2<N>& x) {
-  const double s = std::sin(x.a), c = std::cos(x.a);
-  return Dual2<N>::chain(x, c, -s, -c);
-}
-
-/// Angle of the point (x, y); differentiable everywhere but at the origin.
-template <int N>
-Dual2<N> atan2(const Dual2<N>& y, const Dual2<N>& x) {
-  // With (X, Y) the constant values, the angle is atan2(Y, X) + atan((X y - Y x) / (X x + Y y)): the second part is 0
-  // at the point itself, with derivatives 1, 0 of the arctangent.
-  const Dual2<N> cross = Dual2<N>(x.a) * y - Dual2<N>(y.a) * x;
-  const Dual2<N> dot = Dual2<N>(x.a) * x + Dual2<N>(y.a) * y;
-  Dual2<N> r = cross / dot;
-  r.a = std::atan2(y.a, x.a);
-  return r;
-}
-
-/// a + g.d: the same to first order, for expressions that are linear in the active variables.
+/// a + g.d: the same to first order.
 template <int N>
 struct Dual1 {
   double a = 0;
@@ -133,35 +104,92 @@ struct Dual1 {
     for (int i = 0; i < N; ++i) g[i] += o.g[i];
     return *this;
   }
-  Dual1& operator-=(const Dual1& o) { return *this += -o; }
+  Dual1& operator-=(const Dual1& o) {
+    a -= o.a;
+    for (int i = 0; i < N; ++i) g[i] -= o.g[i];
+    return *this;
+  }
+  Dual1& operator*=(const Dual1& o) { return *this = *this * o; }
+  Dual1& operator/=(const Dual1& o) { return *this = *this / o; }
   friend Dual1 operator+(Dual1 x, const Dual1& y) { return x += y; }
   friend Dual1 operator-(Dual1 x, const Dual1& y) { return x -= y; }
-  friend Dual1 operator-(Dual1 x) {
-    x.a = -x.a;
-    for (double& slope : x.g) slope = -slope;
-    return x;
-  }
+  friend Dual1 operator-(const Dual1& x) { return chain(x, -x.a, -1); }
   friend Dual1 operator*(const Dual1& x, const Dual1& y) {
     Dual1 r(x.a * y.a);
     for (int i = 0; i < N; ++i) r.g[i] = x.a * y.g[i] + y.a * x.g[i];
     return r;
   }
+  friend Dual1 operator/(const Dual1& x, const Dual1& y) {
+    const double inverse = 1 / y.a;
+    return x * chain(y, inverse, -inverse * inverse);
+  }
+  friend bool operator<(const Dual1& x, const Dual1& y) { return x.a < y.a; }
+  friend bool operator>(const Dual1& x, const Dual1& y) { return x.a > y.a; }
+
+  /// f(x) from f and f' at x.a.
+  static Dual1 chain(const Dual1& x, double f, double f1) {
+    Dual1 r(f);
+    for (int i = 0; i < N; ++i) r.g[i] = f1 * x.g[i];
+    return r;
+  }
+  static Dual1 chain(const Dual1& x, double f, double f1, double) { return chain(x, f, f1); }
 };
 
+template <class D>
+concept AnyDual = requires(const D& x) {
+  { D::chain(x, 0.0, 0.0, 0.0) } -> std::same_as<D>;
+};
+
+template <AnyDual D>
+D sqrt(const D& x) {
+  const double s = std::sqrt(x.a);
+  return D::chain(x, s, 0.5 / s, -0.25 / (s * x.a));
+}
+
+template <AnyDual D>
+D sin(const D& x) {
+  const double s = std::sin(x.a), c = std::cos(x.a);
+  return D::chain(x, s, c, -s);
+}
+
+template <AnyDual D>
+D cos(const D& x) {
+  const double s = std::sin(x.a), c = std::cos(x.a);
+  return D::chain(x, c, -s, -c);
+}
+
+template <AnyDual D>
+D tanh(const D& x) {
+  const double t = std::tanh(x.a), f1 = 1 - t * t;
+  return D::chain(x, t, f1, -2 * t * f1);
+}
+
+/// Angle of the point (x, y); differentiable everywhere but at the origin.
+template <AnyDual D>
+D atan2(const D& y, const D& x) {
+  // With (X, Y) the constant values, the angle is atan2(Y, X) + atan((X y - Y x) / (X x + Y y)): the second part is 0
+  // at the point itself, with derivatives 1, 0 of the arctangent.
+  const D cross = D(x.a) * y - D(y.a) * x;
+  const D dot = D(x.a) * x + D(y.a) * y;
+  D r = cross / dot;
+  r.a = std::atan2(y.a, x.a);
+  return r;
+}
+
 inline double primal(double x) { return x; }
-template <int N>
-double primal(const Dual2<N>& x) {
+template <AnyDual D>
+double primal(const D& x) {
   return x.a;
 }
 
 }  // namespace lissom
 
 namespace Eigen {
-template <int N>
-struct NumTraits<lissom::Dual2<N>> : GenericNumTraits<double> {
-  using Real = lissom::Dual2<N>;
-  using NonInteger = lissom::Dual2<N>;
-  using Nested = lissom::Dual2<N>;
+template <lissom::AnyDual D>
+struct NumTraits<D> : GenericNumTraits<double> {
+  using Real = D;
+  using NonInteger = D;
+  using Nested = D;
   enum {
     IsComplex = 0,
     IsInteger = 0,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/SparseCore>
 
 namespace lissom {
 
@@ -11,6 +12,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using VecX = Eigen::VectorXd;
 using MatX = Eigen::MatrixXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// How many stencils are computed at once.
 inline constexpr int kLanes = 4;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lissom/core/types.h"
+#include "lissom/mechanics/rest_link.h"
 #include "lissom/mechanics/state.h"
 
 namespace lissom {
@@ -45,10 +46,14 @@ class EnergyTerm {
   virtual void derivatives(const State& state, int begin, int end, double* gradient, double* hessian) const = 0;
   /// Derivatives of one stencil's value as a function of unknowns anchored at `state`, evaluated at state + dq.
   virtual StencilDerivatives automatic(const State& state, const VecX& dq, int stencil) const = 0;
+  /// Derivative of one stencil's gradient by its rest quantities at the anchor, (dofs x rests) by columns.
+  virtual void mixed(const State& state, int stencil, double* block) const = 0;
+  /// What the rest quantities hang on.
+  virtual const RestLinks& links() const = 0;
   /// Rest quantities of one stencil, and a copy of the term with others (for checks of the mixed block).
   virtual VecX rest(int stencil) const = 0;
   virtual void set_rest(int stencil, const VecX& rest) = 0;
-  /// The term over those stencils alone that have one of the marked unknowns.
+  /// The term over those stencils alone that have one of the marked unknowns; without links.
   virtual std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown) const = 0;
 };
 

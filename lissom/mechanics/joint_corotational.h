@@ -55,18 +55,18 @@ struct JointCorotational {
   };
 
   template <class T>
-  void gather(const State& state, const Stencil& s, int, Local<T>& local) const {
+  void gather(const State& state, const Stencil& s, const double* rest, int, Local<T>& local) const {
     local.rotation = state.joint_rotation[s.joint];
     for (int i = 0; i < K; ++i) {
       const EdgeState& e = state.edges[s.edge[i]];
-      const double* rest = s.rest.data() + i * kConnectionRestCount;
+      const double* own = rest + i * kConnectionRestCount;
       local.edge[i] = {{e.t, e.b},
                        s.rest_frame[i],
                        e.length,
                        state.connection_twist[s.connection[i]],
                        s.direction[i],
-                       connection_weights<double>(rest, s.weights),
-                       rest};
+                       connection_weights<double>(own, s.weights),
+                       own};
     }
   }
 

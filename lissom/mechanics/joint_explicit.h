@@ -9,9 +9,6 @@
 
 namespace lissom {
 
-/// Rest numbers of a connection: those of a pair, then a rotation vector that turns the rest frame of the edge.
-enum { kRestTurn = kPairRestCount, kConnectionRestCount = kPairRestCount + 3 };
-
 inline std::array<double, kConnectionRestCount> connection_rest_values(const PairRest& r) {
   return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length, 0, 0, 0};
 }
@@ -82,13 +79,13 @@ struct JointExplicit {
   };
 
   template <class T>
-  void gather(const State& state, const Stencil& s, int, Local<T>& local) const {
+  void gather(const State& state, const Stencil& s, const double* rest, int, Local<T>& local) const {
     const EdgeState& e = state.edges[s.edge];
     const Mat3& rotation = state.joint_rotation[s.joint];
     // The rest turn is 0 in every built term; it is an active variable of `value` for the mixed block only.
     local = {{e.t, e.b},  {rotation * s.rest_frame.t, rotation * s.rest_frame.b},
              e.length,    state.connection_twist[s.connection],
-             s.direction, s.rest.data()};
+             s.direction, rest};
   }
 
   template <class T>

@@ -7,6 +7,7 @@
 
 #include "lissom/mechanics/stencil_term.h"
 #include "lissom/mechanics/strain.h"
+#include "lissom/model/membrane_formulas.h"
 
 namespace lissom {
 
@@ -26,14 +27,8 @@ struct MembraneBend {
 
   template <class T>
   static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen&) {
-    using std::atan2;
-    using std::sqrt;
-    const auto from_x0 = [&](int i) { return Vec3T<T>(x[i] - x[0], x[i + 1] - x[1], x[i + 2] - x[2]); };
-    const Vec3T<T> e = from_x0(3);
-    const Vec3T<T> normal1 = e.cross(from_x0(6)), normal2 = from_x0(9).cross(e);
-    const Vec3T<T> turn = normal1.cross(normal2);
-    const T length = sqrt(e.dot(e));
-    const T change = atan2(e.dot(turn), length * normal1.dot(normal2)) - rest[1];
+    const auto at = [&](int i) { return Vec3T<T>(x[i], x[i + 1], x[i + 2]); };
+    const T change = fold_angle<T>(at(0), at(3), at(6), at(9)) - rest[1];
     return T(0.5) * rest[0] * change * change;
   }
 
@@ -44,16 +39,16 @@ struct MembraneBend {
     T stiffness, rest_angle;
   };
 
-  template <class T>
-  void gather(const State& state, const Stencil& s, int lane, Local<T>& local) const {
+  template <class T, class R>
+  void gather(const State& state, const Stencil& s, const R* rest, int lane, Local<T>& local) const {
     for (int i = 0; i < 3; ++i) {
       const double x0 = state.q[s.dofs[i]];
       set_lane(local.e[i], lane, state.q[s.dofs[3 + i]] - x0);
       set_lane(local.u[i], lane, state.q[s.dofs[6 + i]] - x0);
       set_lane(local.v[i], lane, state.q[s.dofs[9 + i]] - x0);
     }
-    set_lane(local.stiffness, lane, s.rest[0]);
-    set_lane(local.rest_angle, lane, s.rest[1]);
+    set_lane(local.stiffness, lane, rest[0]);
+    set_lane(local.rest_angle, lane, rest[1]);
   }
 
   template <class T>

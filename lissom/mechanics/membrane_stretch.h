@@ -79,11 +79,11 @@ struct MembraneStretch {
     std::array<T, kRest> rest;
   };
 
-  template <class T>
-  void gather(const State& state, const Stencil& s, int lane, Local<T>& local) const {
+  template <class T, class R>
+  void gather(const State& state, const Stencil& s, const R* rest, int lane, Local<T>& local) const {
     for (int i = 0; i < kDofs; ++i) set_lane(local.x[i], lane, state.q[s.dofs[i]]);
     const Frozen f = frozen(state, s);
-    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, i < 6 ? s.rest[i] * f.corner[i % 2] : s.rest[i]);
+    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, i < 6 ? rest[i] * R(f.corner[i % 2]) : rest[i]);
   }
 
   template <class T>

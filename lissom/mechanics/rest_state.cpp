@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lissom/mechanics/rest_formulas.h"
+
 namespace lissom {
 
 namespace {
-
-double area(const std::array<Vec2, 3>& p) {
-  const Vec2 u = p[1] - p[0], v = p[2] - p[0];
-  return 0.5 * (u.x() * v.y() - u.y() * v.x());
-}
 
 /// Larger of the two Cauchy tensions along the material axes of a sheet stretched by s, N/m [mathematics 3.1].
 double drawn_tension(const MembraneMaterial& material, const Vec2& s) {
@@ -33,9 +30,9 @@ Status add_membranes(const Model& model, const Structure& structure, RestState& 
     rest.max_tension = std::max(rest.max_tension, drawn_tension(*material, membrane.pre_stretch));
     for (int t = membrane.first_triangle; t < membrane.first_triangle + membrane.triangles; ++t) {
       const StructureTriangle& triangle = structure.triangles[t];
-      TriangleRest out{{}, material->stiffness_1, material->stiffness_2, material->poisson_ratio, 0};
-      for (int i = 0; i < 3; ++i) out.corner[i] = triangle.corner[i].cwiseQuotient(membrane.pre_stretch);
-      out.area = area(out.corner);
+      const TriangleRest out =
+          triangle_rest<double>(triangle.corner, membrane.pre_stretch[0], membrane.pre_stretch[1],
+                                material->stiffness_1, material->stiffness_2, material->poisson_ratio);
       for (const int node : triangle.node) {
         rest.node_area[node] += out.area / 3;
         rest.node_mass[node] += material->area_density * out.area / 3;
@@ -49,10 +46,9 @@ Status add_membranes(const Model& model, const Structure& structure, RestState& 
     const StructureMembrane& membrane = structure.membranes[hinge.membrane];
     const TriangleRest &left = rest.triangles[hinge.triangle[0]], &right = rest.triangles[hinge.triangle[1]];
     const std::array<int, 3>& node = structure.triangles[hinge.triangle[0]].node;
-    const size_t first = static_cast<size_t>(std::find(node.begin(), node.end(), hinge.node[0]) - node.begin());
-    const Vec2 edge = left.corner[(first + 1) % 3] - left.corner[first];
+    const int from = static_cast<int>(std::find(node.begin(), node.end(), hinge.node[0]) - node.begin());
     const double bend = membrane.bending * model.membrane_material(membrane.material)->bend();
-    rest.hinges.push_back({bend * edge.squaredNorm() / (left.area + right.area), hinge.rest_angle});
+    rest.hinges.push_back(hinge_rest(left, from, right, bend, hinge.rest_angle));
   }
   return {};
 }
@@ -76,7 +72,7 @@ Result<RestState> make_rest_state(const Model& model, const Structure& structure
     const SectionStiffness s = section_stiffness(edge.section, *material, model.torsion);
     stiffness.push_back(s);
     const double l = edge.rest_length;
-    rest.edges.push_back({l, s.stretch, s.mass * l, s.roll_inertia * l, (s.bend_b + s.bend_n) / s.stretch});
+    rest.edges.push_back(edge_rest(l, s));
     for (const int node : {edge.node0, edge.node1}) {
       rest.node_mass[node] += s.mass * l / 2;
       rest.node_length[node] += l / 2;
@@ -90,18 +86,14 @@ Result<RestState> make_rest_state(const Model& model, const Structure& structure
 
   rest.pairs.reserve(structure.pairs.size());
   for (const StructurePair& pair : structure.pairs) {
-    // Length-weighted means at a vertex where the section changes [mathematics 1.4].
-    const double l0 = structure.edges[pair.edge0].rest_length, l1 = structure.edges[pair.edge1].rest_length;
-    const SectionStiffness &s0 = stiffness[pair.edge0], &s1 = stiffness[pair.edge1];
-    const auto mean = [&](double a, double b) { return (l0 * a + l1 * b) / (l0 + l1); };
-    rest.pairs.push_back({pair.rest_kappa_1, pair.rest_kappa_2, pair.rest_twist, mean(s0.bend_b, s1.bend_b),
-                          mean(s0.bend_n, s1.bend_n), mean(s0.twist, s1.twist), (l0 + l1) / 2});
+    rest.pairs.push_back(pair_rest({pair.rest_kappa_1, pair.rest_kappa_2}, pair.rest_twist,
+                                   structure.edges[pair.edge0].rest_length, structure.edges[pair.edge1].rest_length,
+                                   stiffness[pair.edge0], stiffness[pair.edge1]));
   }
   for (const StructureJoint& joint : structure.joints) {
     for (const JointConnection& connection : joint.connections) {
-      const SectionStiffness& s = stiffness[connection.edge];
-      const double half = structure.edges[connection.edge].rest_length / 2;
-      rest.connections.push_back({0, 0, 0, s.bend_b, s.bend_n, s.twist, half});
+      rest.connections.push_back(
+          connection_rest(structure.edges[connection.edge].rest_length, stiffness[connection.edge]));
     }
   }
   if (Status status = add_membranes(model, structure, rest); !status) return status.error();

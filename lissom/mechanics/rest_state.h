@@ -9,35 +9,43 @@
 
 namespace lissom {
 
-/// Per rod edge.
-struct EdgeRest {
-  double length = 0;        ///< m
-  double stretch = 0;       ///< E A, N
-  double mass = 0;          ///< kg
-  double roll_inertia = 0;  ///< kg m^2
-  double gyration2 = 0;     ///< m^2, polar second moment of the section over its area
+/// Per rod edge. T: double, or a dual where derivatives are wanted.
+template <class T>
+struct EdgeRestT {
+  T length = 0;        ///< m
+  T stretch = 0;       ///< E A, N
+  T mass = 0;          ///< kg
+  T roll_inertia = 0;  ///< kg m^2
+  T gyration2 = 0;     ///< m^2, polar second moment of the section over its area
 };
+using EdgeRest = EdgeRestT<double>;
 
 /// Bending and twist spring of an ordered pair of frames: interior vertex, or rod edge against its joint.
-struct PairRest {
-  double kappa_1 = 0, kappa_2 = 0, twist = 0;          ///< natural strains, integrated (dimensionless, rad)
-  double bend_1 = 0, bend_2 = 0, twist_stiffness = 0;  ///< B_1, B_2, beta, N m^2
-  double length = 0;                                   ///< integration length, m [mathematics 1.4]
+template <class T>
+struct PairRestT {
+  T kappa_1 = 0, kappa_2 = 0, twist = 0;          ///< natural strains, integrated (dimensionless, rad)
+  T bend_1 = 0, bend_2 = 0, twist_stiffness = 0;  ///< B_1, B_2, beta, N m^2
+  T length = 0;                                   ///< integration length, m [mathematics 1.4]
 };
+using PairRest = PairRestT<double>;
 
 /// Per membrane triangle.
-struct TriangleRest {
-  std::array<Vec2, 3> corner;               ///< m, along the material axes: the drawn corners over the pre-stretch
-  double stiffness_1 = 0, stiffness_2 = 0;  ///< N/m
-  double poisson_ratio = 0;
-  double area = 0;  ///< m^2, at rest
+template <class T>
+struct TriangleRestT {
+  std::array<Eigen::Matrix<T, 2, 1>, 3> corner;  ///< m, along the material axes: the drawn corners over the pre-stretch
+  T stiffness_1 = 0, stiffness_2 = 0;            ///< N/m
+  T poisson_ratio = 0;
+  T area = 0;  ///< m^2, at rest
 };
+using TriangleRest = TriangleRestT<double>;
 
 /// Per edge between two triangles.
-struct HingeRest {
-  double stiffness = 0;  ///< N m, D |e|^2 / (A_1 + A_2) [mathematics 3.2, erratum E16]
-  double angle = 0;      ///< rad
+template <class T>
+struct HingeRestT {
+  T stiffness = 0;  ///< N m, D |e|^2 / (A_1 + A_2) [mathematics 3.2, erratum E16]
+  T angle = 0;      ///< rad
 };
+using HingeRest = HingeRestT<double>;
 
 /// Rest numbers of a whole structure, in the order of its edges, pairs, and connections (joint by joint).
 struct RestState {

@@ -46,8 +46,8 @@ struct RodBendTwist {
     std::array<T, kRest> rest;
   };
 
-  template <class T>
-  void gather(const State& state, const Stencil& s, int lane, Local<T>& local) const {
+  template <class T, class R>
+  void gather(const State& state, const Stencil& s, const R* rest, int lane, Local<T>& local) const {
     const EdgeState &e0 = state.edges[s.edge0], &e1 = state.edges[s.edge1];
     set_lane(local.first.t, lane, e0.t);
     set_lane(local.first.b, lane, e0.b);
@@ -56,7 +56,7 @@ struct RodBendTwist {
     set_lane(local.length1, lane, e0.length);
     set_lane(local.length2, lane, e1.length);
     set_lane(local.twist, lane, state.pair_twist[s.pair]);
-    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, s.rest[i]);
+    for (int i = 0; i < kRest; ++i) set_lane(local.rest[i], lane, rest[i]);
   }
 
   template <class T>

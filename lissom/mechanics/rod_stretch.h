@@ -35,13 +35,13 @@ struct RodStretch {
     T length, rest_length, stiffness;
   };
 
-  template <class T>
-  void gather(const State& state, const Stencil& s, int lane, Local<T>& local) const {
+  template <class T, class R>
+  void gather(const State& state, const Stencil& s, const R* rest, int lane, Local<T>& local) const {
     const EdgeState& edge = state.edges[s.edge];
     set_lane(local.t, lane, edge.t);
     set_lane(local.length, lane, edge.length);
-    set_lane(local.rest_length, lane, s.rest[0]);
-    set_lane(local.stiffness, lane, s.rest[1]);
+    set_lane(local.rest_length, lane, rest[0]);
+    set_lane(local.stiffness, lane, rest[1]);
   }
 
   template <class T>

@@ -11,9 +11,9 @@
 ///     Frozen frozen(const State&, const Stencil&) const;
 ///     template <class T> static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen&);
 ///     std::vector<Stencil> stencils;
-///     // optional fast path at the anchor, on Pack or double:
+///     // optional fast path at the anchor, on Pack or double; on Pack it serves duals in the rest quantities too:
 ///     template <class T> struct Local { ... };
-///     template <class T> void gather(const State&, const Stencil&, int lane, Local<T>&) const;
+///     template <class T> void gather(const State&, const Stencil&, const R* rest, int lane, Local<T>&) const;
 ///     template <class T> static T energy(const Local<T>&);
 ///     template <class T> static void derivatives(const Local<T>&, T* gradient, T* hessian_or_null);
 ///     using Lane = Pack or double;
@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ inline constexpr int kRestAtOnce = 10;
 template <class E>
 class StencilTerm final : public EnergyTerm {
  public:
-  explicit StencilTerm(E energy) : energy_(std::move(energy)) {
+  explicit StencilTerm(E energy, RestLinks links = {}) : energy_(std::move(energy)), links_(std::move(links)) {
     for (const auto& s : energy_.stencils) indices_.insert(indices_.end(), s.dofs.begin(), s.dofs.end());
   }
 
@@ -127,6 +128,26 @@ class StencilTerm final : public EnergyTerm {
     return d;
   }
 
+  void mixed(const State& state, int index, double* block) const override {
+    if constexpr (kMixesFast) {
+      using Variable = Dual1<E::kRest>;
+      const auto& s = energy_.stencils[index];
+      std::array<Variable, E::kRest> rest;
+      for (int i = 0; i < E::kRest; ++i) rest[i] = Variable::variable(s.rest[i], i);
+      typename E::template Local<Variable> local{};
+      energy_.gather(state, s, rest.data(), 0, local);
+      std::array<Variable, E::kDofs> gradient;
+      E::derivatives(local, gradient.data(), static_cast<Variable*>(nullptr));
+      for (int j = 0; j < E::kRest; ++j) {
+        for (int i = 0; i < E::kDofs; ++i) block[j * E::kDofs + i] = gradient[i].g[j];
+      }
+    } else {
+      const StencilDerivatives all = automatic(state, VecX::Zero(state.q.size()), index);
+      Eigen::Map<MatX>(block, E::kDofs, E::kRest) = all.mixed;
+    }
+  }
+  const RestLinks& links() const override { return links_; }
+
   VecX rest(int index) const override {
     const auto& r = energy_.stencils[index].rest;
     return Eigen::Map<const VecX>(r.data(), E::kRest);
@@ -143,6 +164,11 @@ class StencilTerm final : public EnergyTerm {
   }
 
  private:
+  /// Whether the hand-written gradient can be differentiated by the rest quantities.
+  static constexpr bool kMixesFast = [] {
+    if constexpr (HasFastPath<E>) return std::is_same_v<typename E::Lane, Pack>;
+    return false;
+  }();
   static constexpr int kRestChunk = E::kRest <= kRestAtOnce ? E::kRest : 5;
 
   static constexpr int dual_size() {
@@ -165,29 +191,38 @@ class StencilTerm final : public EnergyTerm {
     using Lane = typename E::Lane;
     if constexpr (std::is_same_v<Lane, Pack>) {
       typename E::template Local<Pack> local{};
-      for (int lane = 0; lane < kLanes; ++lane) energy_.gather(state, stencil(group, lane), lane, local);
+      for (int lane = 0; lane < kLanes; ++lane) {
+        const auto& s = stencil(group, lane);
+        energy_.gather(state, s, s.rest.data(), lane, local);
+      }
       f(local, 0);
     } else {
       for (int lane = 0; lane < kLanes; ++lane) {
         typename E::template Local<double> local{};
-        energy_.gather(state, stencil(group, lane), 0, local);
+        const auto& s = stencil(group, lane);
+        energy_.gather(state, s, s.rest.data(), 0, local);
         f(local, lane);
       }
     }
   }
 
   E energy_;
+  RestLinks links_;
   std::vector<int> indices_;
 };
 
 template <class E>
-std::unique_ptr<EnergyTerm> make_term(E energy) {
-  return std::make_unique<StencilTerm<E>>(std::move(energy));
+std::unique_ptr<EnergyTerm> make_term(E energy, RestLinks links = {}) {
+  return std::make_unique<StencilTerm<E>>(std::move(energy), std::move(links));
 }
 
-/// Sets one lane of a scalar that may be a pack.
+/// Sets one lane of a scalar that may be a pack; others have one lane.
 inline void set_lane(Pack& x, int lane, double value) { x.set(lane, value); }
 inline void set_lane(double& x, int, double value) { x = value; }
+template <AnyDual D>
+void set_lane(D& x, int, const std::type_identity_t<D>& value) {
+  x = value;
+}
 
 template <class T>
 void set_lane(Eigen::Matrix<T, 3, 1>& x, int lane, const Vec3& value) {

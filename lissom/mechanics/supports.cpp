@@ -1,8 +1,10 @@
 #include "lissom/mechanics/supports.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "lissom/core/assert.h"
 #include "lissom/geometry/frame.h"
 #include "lissom/mechanics/supports_builder.h"
 
@@ -25,13 +27,12 @@ void Supports::prescribed_increment(const System& system, const State& state, do
   const auto masked = [&](int first, const Vec3& wanted) {
     // Only along the held axes.
     Vec3 step = wanted;
-    for (const LocalAxes& local : local_axes_) {
-      if (local.first_dof != first) continue;
-      Vec3 in_axes = local.axes.transpose() * wanted;
+    if (const LocalAxes* local = axes_at(first); local != nullptr) {
+      Vec3 in_axes = local->axes.transpose() * wanted;
       for (int i = 0; i < 3; ++i) {
         if (!held_[first + i]) in_axes[i] = 0;
       }
-      return Vec3(local.axes * in_axes);
+      return Vec3(local->axes * in_axes);
     }
     for (int i = 0; i < 3; ++i) {
       if (!held_[first + i]) step[i] = 0;
@@ -72,6 +73,46 @@ void Supports::prescribed_increment(const System& system, const State& state, do
     const double expected = state.q[at] + (load_factor - state.load_factor) * held.turn.dot(t);
     dq[at] = expected + wrap_angle(angle - expected) - state.q[at];
   }
+}
+
+const LocalAxes* Supports::axes_at(int first_dof) const {
+  for (const LocalAxes& local : local_axes_) {
+    if (local.first_dof == first_dof) return &local;
+  }
+  return nullptr;
+}
+
+SparseMatrix Supports::held_by_places(const System& system) const {
+  std::map<int, Mat3> by_node;  // in global axes; later supports of a node act on what earlier ones left
+  for (const HeldPosition& held : positions_) {
+    const int at = system.layout.position(held.node);
+    const LocalAxes* local = axes_at(at);
+    const Mat3 axes = local == nullptr ? Mat3(Mat3::Identity()) : local->axes;
+    const Vec3 mask(held_[at] ? 1 : 0, held_[at + 1] ? 1 : 0, held_[at + 2] ? 1 : 0);
+    Mat3& follows = by_node.try_emplace(held.node, Mat3::Zero()).first->second;
+    follows += held.along * (Mat3(axes * mask.asDiagonal() * axes.transpose()) - follows);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& [node, follows] : by_node) {
+    const int at = system.layout.position(node);
+    const LocalAxes* local = axes_at(at);
+    const Mat3 rows = local == nullptr ? follows : Mat3(local->axes.transpose() * follows);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (rows(i, j) != 0) entries.emplace_back(at + i, 3 * node + j, rows(i, j));
+      }
+    }
+  }
+  SparseMatrix matrix(system.layout.size(), 3 * system.layout.nodes());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+void Supports::take_places(const Supports& other) {
+  LISSOM_ASSERT(other.held_ == held_);
+  positions_ = other.positions_;
+  rotations_ = other.rotations_;
+  rolls_ = other.rolls_;
 }
 
 void Supports::restrict(const VecX& local, VecX& free) const {

@@ -33,6 +33,12 @@ class Supports {
   /// The same into an existing vector.
   void prescribed_increment(const System& system, const State& state, double load_factor, VecX& dq) const;
 
+  /// How unknowns that are held follow the drawn places of nodes: d held unknowns / d drawn positions, (unknowns x 3 nodes),
+  /// rows in local axes. Movements on top of them count as fixed.
+  SparseMatrix held_by_places(const System& system) const;
+  /// Holds the same unknowns at the places of `other`, which is of the same pose on a system of the same topology.
+  void take_places(const Supports& other);
+
   /// Free entries of a vector in local axes, and the other way round (held entries 0).
   void restrict(const VecX& local, VecX& free) const;
   void expand(const VecX& free, VecX& local) const;
@@ -64,6 +70,7 @@ class Supports {
   };
 
   friend class SupportsBuilder;
+  const LocalAxes* axes_at(int first_dof) const;  ///< null where they are x, y, z
 
   std::vector<int> kept_;
   std::vector<bool> held_;

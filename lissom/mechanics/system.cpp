@@ -7,8 +7,12 @@ namespace lissom {
 Result<System> make_system(const Model& model, double refine) {
   Result<Structure> structure = discretize(model, refine);
   if (!structure) return structure.error();
+  return make_system(model, std::move(structure).value());
+}
+
+Result<System> make_system(const Model& model, Structure structure) {
   System system;
-  system.structure = std::move(structure).value();
+  system.structure = std::move(structure);
   Result<RestState> rest = make_rest_state(model, system.structure);
   if (!rest) return rest.error();
   system.rest = std::move(rest).value();

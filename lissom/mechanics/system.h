@@ -35,4 +35,7 @@ struct System {
 /// Discretises the model and derives everything a solver needs from it.
 Result<System> make_system(const Model& model, double refine = 1);
 
+/// The same of a structure that the model was discretised to.
+Result<System> make_system(const Model& model, Structure structure);
+
 }  // namespace lissom

@@ -145,7 +145,10 @@ Status merge_nodes(Draft& draft) {
   PointGrid grid(distance, std::max(shortest / 2, 1e-9 * s.size), asked < 0 ? 0 : total);
   for (size_t r = 0; r < draft.drawn.size(); ++r) {
     RodShape& rod = draft.drawn[r];
-    StructureRod out{draft.model.rods[r].name, draft.model.rods[r].material, {}, {}, rod.closed};
+    StructureRod out;
+    out.name = draft.model.rods[r].name;
+    out.material = draft.model.rods[r].material;
+    out.closed = rod.closed;
     out.nodes.reserve(rod.points.size());
     bool moved = false;
     for (Vec3& p : rod.points) {
@@ -164,7 +167,13 @@ Status merge_nodes(Draft& draft) {
   }
   for (size_t m = 0; m < draft.membranes.size(); ++m) {
     const Membrane& membrane = draft.model.membranes[m];
-    StructureMembrane out{membrane.name, membrane.material, {}, 1, {}, 0, 0};
+    StructureMembrane out;
+    out.name = membrane.name;
+    out.material = membrane.material;
+    out.pre_stretch = membrane.pre_stretch;
+    out.warp_angle = membrane.warp_angle;
+    out.bending = membrane.bending;
+    out.rest_folds = membrane.rest_folds;
     for (const Vec3& p : draft.membranes[m].points) {
       int node = static_cast<int>(s.nodes.size());
       if (asked >= 0) node = grid.insert(p);
@@ -276,19 +285,28 @@ Result<Structure> discretize_parts(const Model& model, double refine, size_t cut
   return std::move(draft.structure);
 }
 
-}  // namespace
-
-Result<Structure> discretize(const Model& model, double refine) {
-  if (!model.plan) return discretize_parts(model, refine, model.rods.size());
-  std::vector<std::string> notes;
-  const Result<Model> whole = with_plan_expanded(model, refine, notes);
-  if (!whole) return whole.error();
-  Result<Structure> structure = discretize_parts(whole.value(), refine, model.rods.size());
+/// Of a model that a plan was appended to, with the notes on it.
+Result<Structure> discretize_whole(const Model& whole, double refine, size_t cut_rods_from,
+                                   const std::vector<std::string>& notes) {
+  Result<Structure> structure = discretize_parts(whole, refine, cut_rods_from);
   if (structure) {
     std::vector<std::string>& all = structure.value().notes;
     all.insert(all.begin(), notes.begin(), notes.end());
   }
   return structure;
+}
+
+}  // namespace
+
+Result<Structure> discretize(const Model& model, double refine) {
+  if (!model.plan) return discretize_parts(model, refine, model.rods.size());
+  const Result<ExpandedPlan> plan = expand_plan(model, refine);
+  if (!plan) return plan.error();
+  return discretize_whole(with_plan_expanded(model, plan.value()), refine, model.rods.size(), plan.value().notes);
+}
+
+Result<Structure> discretize(const Model& model, const ExpandedPlan& plan) {
+  return discretize_whole(with_plan_expanded(model, plan), plan.refine, model.rods.size(), plan.notes);
 }
 
 }  // namespace lissom

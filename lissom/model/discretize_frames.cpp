@@ -17,10 +17,6 @@ Frame carried(const Frame& frame, const Vec3& tangent) {
   return frame_from_normal(tangent, parallel_transport(frame.t, tangent, frame.n));
 }
 
-bool parallel(const Vec3& tangent, const Vec3& normal) {
-  return !(tangent.cross(normal).norm() > kParallel * normal.norm());
-}
-
 /// Frames from one direction per edge. Where it is parallel to the rod the frame of the edge before (or, at the start, the
 /// first one after that has a normal) is carried over without twist; a rod that is parallel throughout starts from the
 /// coordinate axis that its first tangent is least aligned with.
@@ -82,6 +78,10 @@ void frames_from_joints(RodShape& shape, const Vec3& start, const Vec3& end) {
 }
 
 }  // namespace
+
+bool parallel(const Vec3& tangent, const Vec3& normal) {
+  return !(tangent.cross(normal).norm() > kParallel * normal.norm());
+}
 
 void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, const Vec3& end, const std::string& label,
                 std::vector<std::string>& notes) {

@@ -8,6 +8,7 @@
 #include "lissom/geometry/planar_patterns.h"
 #include "lissom/model/discretize_parts.h"
 #include "lissom/model/limits.h"
+#include "lissom/model/membrane_formulas.h"
 
 namespace lissom {
 
@@ -46,23 +47,6 @@ MembraneMesh cut(const MembraneShape& shape, double refine) {
   return std::get<MembraneMesh>(shape);
 }
 
-/// Material axes 1 and 2 in the plane with normal n: axis 1 is the warp direction of the drawing laid into the plane.
-std::pair<Vec3, Vec3> material_axes(const Vec3& n, double warp_angle) {
-  const Vec3 warp(std::cos(warp_angle), std::sin(warp_angle), 0);
-  Vec3 axis = warp - n * n.dot(warp);
-  if (axis.norm() < 1e-6) axis = Vec3::UnitZ() - n * n.z();
-  axis.normalize();
-  return {axis, n.cross(axis)};
-}
-
-/// Angle by which the two triangles of a hinge fold away from their normals [mathematics 3.2].
-double fold_angle(const Structure& s, const StructureHinge& hinge) {
-  const Vec3 &x0 = s.nodes[hinge.node[0]], &x1 = s.nodes[hinge.node[1]];
-  const Vec3 e = x1 - x0;
-  const Vec3 left = e.cross(s.nodes[hinge.node[2]] - x0), right = (s.nodes[hinge.node[3]] - x0).cross(e);
-  return std::atan2(e.normalized().dot(left.cross(right)), left.dot(right));
-}
-
 Error not_a_surface(const Draft& draft, size_t m, int a, const char* what, const char* hint) {
   const Vec3& p = draft.structure.nodes[a];
   return {ErrorCode::kGeometry, membrane_place(m),
@@ -89,11 +73,7 @@ Status add_triangles(Draft& draft, size_t m) {
       return not_a_surface(draft, m, triangle.node[0], "has a triangle without area",
                            "move its points apart or leave it out");
     }
-    const auto [axis_1, axis_2] = material_axes(normal.normalized(), membrane.warp_angle);
-    for (int i = 0; i < 3; ++i) {
-      const Vec3& x = s.nodes[triangle.node[i]];
-      triangle.corner[i] = Vec2(axis_1.dot(x), axis_2.dot(x));
-    }
+    triangle.corner = material_corners<double>({a, b, c}, membrane.warp_angle);
     s.triangles.push_back(triangle);
   }
   return {};
@@ -123,7 +103,10 @@ Status add_hinges(Draft& draft, size_t m) {
       if (other == half_edges.end() || other->second.first < t) continue;
       StructureHinge hinge{
           {a, b, node[(i + 2) % 3], other->second.second}, static_cast<int>(m), {t, other->second.first}, 0};
-      if (draft.model.membranes[m].rest_folds == RestFolds::kAsDrawn) hinge.rest_angle = fold_angle(s, hinge);
+      if (draft.model.membranes[m].rest_folds == RestFolds::kAsDrawn) {
+        hinge.rest_angle = fold_angle<double>(s.nodes[hinge.node[0]], s.nodes[hinge.node[1]], s.nodes[hinge.node[2]],
+                                              s.nodes[hinge.node[3]]);
+      }
       s.hinges.push_back(hinge);
     }
   }
@@ -158,9 +141,6 @@ Status cut_membranes(Draft& draft, double refine) {
 
 Status set_membranes(Draft& draft) {
   for (size_t m = 0; m < draft.membranes.size(); ++m) {
-    const Membrane& membrane = draft.model.membranes[m];
-    draft.structure.membranes[m].pre_stretch = membrane.pre_stretch;
-    draft.structure.membranes[m].bending = membrane.bending;
     if (Status s = add_triangles(draft, m); !s) return s;
     if (Status s = add_hinges(draft, m); !s) return s;
   }

@@ -56,6 +56,9 @@ Status measure_edges(RodShape& shape, const std::string& where, const std::strin
 void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, const Vec3& end, const std::string& label,
                 std::vector<std::string>& notes);
 
+/// Whether a tangent is too close to a direction for that to give a normal.
+bool parallel(const Vec3& tangent, const Vec3& normal);
+
 /// Material frame of the curve at the start (or end) of an edge; the twist between neighbouring edges is shared out.
 Frame node_frame(const RodShape& shape, int edge, bool at_end);
 

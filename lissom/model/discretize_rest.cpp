@@ -61,6 +61,18 @@ Status set_rest_curve(Draft& draft, size_t r) {
   return {};
 }
 
+/// StructureRod::natural_normal of a drawn rod.
+Vec3 natural_normal(const Rod& rod, const RodShape& drawn) {
+  if (rod.natural.kind != Natural::Kind::kAsDrawn || rod.axes.kind != MaterialAxes::Kind::kDirection) {
+    return Vec3::Zero();
+  }
+  const Vec3 normal = rod.axes.normal.normalized();
+  for (const Vec3& tangent : drawn.edge_tangents) {
+    if (parallel(tangent, normal)) return Vec3::Zero();
+  }
+  return normal;
+}
+
 }  // namespace
 
 Status set_rest_shapes(Draft& draft) {
@@ -76,6 +88,7 @@ Status set_rest_shapes(Draft& draft) {
       for (double length : drawn.lengths) longest = std::max(longest, length);
       if (Status status = check_natural(natural, longest, rod_place(r) + "/natural"); !status) return status;
     }
+    s.rods[r].natural_normal = natural_normal(draft.model.rods[r], drawn);
     const RodShape& measured = draft.rest[r].lengths.empty() ? drawn : draft.rest[r];
     for (size_t i = 0; i < drawn.lengths.size(); ++i) {
       StructureEdge& edge = s.edges[static_cast<size_t>(s.rods[r].edges[i])];

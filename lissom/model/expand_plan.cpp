@@ -143,6 +143,7 @@ Result<ExpandedPlan> expand_plan(const Model& model, double refine) {
   Result<PlanSamples> samples = sample_plan(plan, refine);
   if (!samples) return samples.error();
   ExpandedPlan out;
+  out.refine = refine;
   out.samples = std::move(samples).value();
   if (Status s = check_plan_drawing(plan, out.samples); !s) return s.error();
   const std::vector<double> r_b = node_radii(plan, out.samples, &PlanPoint::r_b);
@@ -169,15 +170,11 @@ Result<ExpandedPlan> expand_plan(const Model& model, double refine) {
   return out;
 }
 
-Result<Model> with_plan_expanded(const Model& model, double refine, std::vector<std::string>& notes) {
-  Result<ExpandedPlan> result = expand_plan(model, refine);
-  if (!result) return result.error();
-  ExpandedPlan& plan = result.value();
+Model with_plan_expanded(const Model& model, const ExpandedPlan& plan) {
   Model whole = model;
-  for (Rod& rod : plan.rods) whole.rods.push_back(std::move(rod));
-  whole.membranes.push_back(std::move(plan.membrane));
+  whole.rods.insert(whole.rods.end(), plan.rods.begin(), plan.rods.end());
+  whole.membranes.push_back(plan.membrane);
   whole.joints.insert(whole.joints.end(), plan.joints.begin(), plan.joints.end());
-  notes = std::move(plan.notes);
   return whole;
 }
 

@@ -12,6 +12,7 @@
 #include "lissom/core/result.h"
 #include "lissom/model/model.h"
 #include "lissom/model/plan_sampling.h"
+#include "lissom/model/structure.h"
 
 namespace lissom {
 
@@ -24,6 +25,7 @@ struct ExpandedPlan {
   Membrane membrane;                           ///< MembraneMesh: nodes of `samples` first, then inner vertices
   std::vector<JointChoice> joints;             ///< balls at the split points
   double smallest_angle = 0;                   ///< rad, of the triangles
+  double refine = 1;                           ///< by which the numbers of edges were multiplied
   std::vector<std::string> notes;
 
   const MembraneMesh& mesh() const { return std::get<MembraneMesh>(membrane.shape); }
@@ -37,7 +39,10 @@ Result<ExpandedPlan> expand_plan(const Model& model, double refine = 1);
 
 /// The model with what its plan stands for appended to rods, membranes and joints; the plan stays, for selectors. The
 /// appended rods are cut already.
-Result<Model> with_plan_expanded(const Model& model, double refine, std::vector<std::string>& notes);
+Model with_plan_expanded(const Model& model, const ExpandedPlan& plan);
+
+/// Discretises the model with what its plan was expanded to, as it stands.
+Result<Structure> discretize(const Model& model, const ExpandedPlan& plan);
 
 /// Radius of a spline between its control values: never less than a twentieth of the smaller at the ends of the piece.
 double least_radius(double start, double end);

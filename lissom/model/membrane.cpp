@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "lissom/model/membrane_formulas.h"
+
 namespace lissom {
 
 namespace {
@@ -27,9 +29,7 @@ Error refuse(const std::string& where, std::string message, std::string hint) {
 
 double MembraneMaterial::shear() const { return std::sqrt(stiffness_1 * stiffness_2) / (2 * (1 + poisson_ratio)); }
 
-double MembraneMaterial::bend() const {
-  return std::sqrt(stiffness_1 * stiffness_2) * thickness * thickness / (12 * (1 - poisson_ratio * poisson_ratio));
-}
+double MembraneMaterial::bend() const { return sheet_bend(stiffness_1, stiffness_2, poisson_ratio, thickness); }
 
 Status MembraneMaterial::validate(const std::string& where) const {
   for (const double stiffness : {stiffness_1, stiffness_2}) {

@@ -189,7 +189,7 @@ MatX PlanMap::positions(const MatX& controls) const {
 }
 
 MatX PlanMap::Impl::arc_rows(const MatX& controls) const {
-  using Dual = Dual2<6>;
+  using Dual = Dual1<6>;
   MatX rows = MatX::Zero(2 * nodes, 2 * points);
   for (const ArcNode& arc : arcs) {
     const auto at = [&](int k) {

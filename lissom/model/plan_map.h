@@ -3,7 +3,6 @@
 /// [mathematics (6.1), corrected]: nodes of rods follow their splines, inner vertices of the fabric follow the nodes by
 /// harmonic weights (cotangents of the mesh as expanded, which reproduce that mesh).
 
-#include <Eigen/SparseCore>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,8 +10,6 @@
 #include "lissom/model/expand_plan.h"
 
 namespace lissom {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// How good the triangles are at other places of their corners.
 struct MeshQuality {

@@ -27,15 +27,17 @@ struct Section {
   Status validate(const std::string& where) const;
 };
 
-/// Stiffness and inertia of a rod per unit length at one place.
-struct SectionStiffness {
-  double stretch = 0;       ///< E A, N
-  double bend_b = 0;        ///< bending whose deflection is along b (kappa_1), N m^2: E A r_b^2 / 4 for an ellipse
-  double bend_n = 0;        ///< bending whose deflection is along n (kappa_2), N m^2: E A r_n^2 / 4 for an ellipse
-  double twist = 0;         ///< beta, N m^2
-  double mass = 0;          ///< rho A, kg/m
-  double roll_inertia = 0;  ///< rho times the polar second moment of area, kg m
+/// Stiffness and inertia of a rod per unit length at one place. T: double or a dual.
+template <class T>
+struct SectionStiffnessT {
+  T stretch = 0;       ///< E A, N
+  T bend_b = 0;        ///< bending whose deflection is along b (kappa_1), N m^2: E A r_b^2 / 4 for an ellipse
+  T bend_n = 0;        ///< bending whose deflection is along n (kappa_2), N m^2: E A r_n^2 / 4 for an ellipse
+  T twist = 0;         ///< beta, N m^2
+  T mass = 0;          ///< rho A, kg/m
+  T roll_inertia = 0;  ///< rho times the polar second moment of area, kg m
 };
+using SectionStiffness = SectionStiffnessT<double>;
 
 /// Erratum E5 (order of the bending stiffnesses), E6 (torsion) and E7 (roll inertia) of the mathematics apply.
 SectionStiffness section_stiffness(const Section& section, const Material& material, TorsionModel torsion);

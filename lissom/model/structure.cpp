@@ -1,8 +1,8 @@
 #include "lissom/model/structure.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "lissom/geometry/frame_strain.h"
 #include "lissom/model/discretize_parts.h"
 
 namespace lissom {
@@ -15,10 +15,9 @@ int Structure::rod_index(std::string_view name) const {
 }
 
 PairStrain pair_strain(const Frame& first, const Frame& second) {
-  const Vec3 kb = 2 * first.t.cross(second.t) / (1 + first.t.dot(second.t));
-  const double twist = signed_angle(second.t, parallel_transport(first.t, second.t, first.b), second.b);
-  return {kb.dot(first.n + second.n) / 2, -kb.dot(first.b + second.b) / 2,
-          twist == -std::numbers::pi ? std::numbers::pi : twist};
+  const FrameT<double> one{first.t, first.b}, other{second.t, second.b};
+  const Curvature<double> k = curvature(one, other);
+  return {k.kappa_1, k.kappa_2, twist(one, other, 0)};
 }
 
 Frame advanced(const Frame& first, const PairStrain& strain) {

@@ -52,6 +52,9 @@ struct StructureRod {
   std::vector<int> nodes;  ///< edges + 1 entries, or as many as edges when closed
   std::vector<int> edges;
   bool closed = false;
+  /// The direction that the normals of all edges follow, on a rod that is natural as drawn; zero where its rest shape is
+  /// described otherwise.
+  Vec3 natural_normal = Vec3::Zero();
 };
 
 /// One flat piece of a membrane.
@@ -74,8 +77,10 @@ struct StructureMembrane {
   std::string name;
   std::string material;             ///< name
   Vec2 pre_stretch = Vec2::Ones();  ///< along axes 1 and 2
+  double warp_angle = 0;            ///< rad, from x to axis 1 in the drawing
   double bending = 1;               ///< multiplier of the bending stiffness
-  std::vector<int> nodes;           ///< of each vertex of the shape, in its order
+  RestFolds rest_folds = RestFolds::kAsDrawn;
+  std::vector<int> nodes;  ///< of each vertex of the shape, in its order
   int first_triangle = 0, triangles = 0;
 };
 

@@ -25,9 +25,10 @@ struct Deviation {
 
 struct TermReport {
   Deviation energy, gradient, hessian;  ///< hand-written against automatic
-  Deviation gradient_by_differences;    ///< automatic gradient against differences of values
-  Deviation hessian_by_differences;     ///< Hessian against differences of fixed-anchor gradients
-  Deviation mixed_by_differences;       ///< mixed block against differences of gradients over rest quantities
+  Deviation mixed;                    ///< derivative of the hand-written gradient by rest quantities, against automatic
+  Deviation gradient_by_differences;  ///< automatic gradient against differences of values
+  Deviation hessian_by_differences;   ///< Hessian against differences of fixed-anchor gradients
+  Deviation mixed_by_differences;     ///< mixed block against differences of gradients over rest quantities
 };
 
 /// Size of a stencil's Hessian, row by column, for a relative comparison that respects the units of the unknowns.
@@ -85,6 +86,8 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
     report.hessian_by_differences.add(h_difference, h, h_scale);
 
     const VecX rest = term.rest(s);
+    MatX mixed_hand(n, term.rests());
+    term.mixed(state, s, mixed_hand.data());
     for (int r = 0; r < term.rests(); ++r) {
       // Relative to the quantity where it has a size, so that the step stays small against stiffnesses of 1e-5 N m^2.
       const double size = std::abs(rest[r]) > 1e-8 ? std::abs(rest[r]) : 1e-2, h_rest = 1e-5 * size;
@@ -98,6 +101,7 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
       const VecX difference = unit.asDiagonal() * (plus - minus) / (2 * h_rest);
       const VecX mixed = unit.asDiagonal() * exact.mixed.col(r);
       report.mixed_by_differences.add(difference, mixed, std::max(scale_of(mixed), 1e-3 * g_scale / size));
+      report.mixed.add(unit.asDiagonal() * mixed_hand.col(r), mixed, std::max(scale_of(mixed), 1e-3 * g_scale / size));
     }
     term.set_rest(s, rest);
   }

@@ -93,6 +93,8 @@ void expect_exact(EnergyTerm& term, const Sheet& sheet, const State& state) {
   EXPECT_LT(report.gradient_by_differences.worst, 1e-6);
   EXPECT_LT(report.hessian_by_differences.worst, 1e-6);
   EXPECT_LT(report.mixed_by_differences.worst, 1e-6);
+  EXPECT_LT(report.mixed.worst, 1e-9);
+  EXPECT_GT(report.mixed.compared, 0);
 }
 
 TEST(MembraneEnergies, DerivativesAgree) {

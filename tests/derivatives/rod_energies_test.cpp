@@ -107,6 +107,8 @@ TEST_P(Energies, DerivativesOfEveryTermAgree) {
     EXPECT_LT(report.gradient_by_differences.worst, 1e-6);
     EXPECT_LT(report.hessian_by_differences.worst, 1e-6);
     EXPECT_LT(report.mixed_by_differences.worst, 1e-6);
+    EXPECT_LT(report.mixed.worst, 1e-9);
+    EXPECT_GT(report.mixed.compared, 0);
     ++terms;
   }
   EXPECT_EQ(terms, GetParam() == JointKind::kExplicit ? 8 : 10);

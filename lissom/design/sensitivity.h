@@ -1,0 +1,42 @@
+#pragma once
+/// How an equilibrium answers to a change of its design, to first order: with S = dq/dp, products S v and S' w by one back
+/// solve each, and S itself where it is small enough [mathematics 5.1].
+
+#include <span>
+
+#include "lissom/core/context.h"
+#include "lissom/core/linear_solver.h"
+#include "lissom/core/result.h"
+#include "lissom/equilibrium/static_problem.h"
+
+namespace lissom {
+
+/// The factor of the Hessian has to be that of the equilibrium, without a shift, and has to outlive the sensitivity.
+class Sensitivity {
+ public:
+  /// `inputs`: d rest inputs / d p, (RestInputs::size x m). kUnsupported where the pose moves what it holds by amounts that
+  /// depend on the drawing.
+  static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
+                                  const State& equilibrium, const LinearSolver& factor, const SparseMatrix& inputs);
+
+  int parameters() const { return static_cast<int>(by_parameters_.cols()); }
+
+  /// S v: increments of all unknowns in global axes, for a change v of the parameters.
+  VecX forward(const VecX& v) const;
+  /// S' w for w = d h / d q over all unknowns, global axes.
+  VecX adjoint(const VecX& w) const;
+  /// S, (unknowns x m), global axes.
+  MatX dense() const;
+
+  /// d gradient / d p over all unknowns in local axes at fixed unknowns, (unknowns x m).
+  const MatX& gradient_by_parameters() const { return by_parameters_; }
+
+ private:
+  const StaticProblem* problem_ = nullptr;
+  const LinearSolver* factor_ = nullptr;
+  MatX by_parameters_;
+  MatX held_;   ///< what held unknowns do, (unknowns x m), local axes; no columns where nothing that is held moves
+  MatX right_;  ///< (free unknowns x m): minus the forces that the change of p brings about
+};
+
+}  // namespace lissom

@@ -1,0 +1,93 @@
+#pragma once
+/// Order of all rest numbers of a structure, and of what they are computed from: two flat lists, so that derivatives can
+/// be chained. Rest numbers are those of `RestState` that energies use; rest inputs are places, sections, pre-stretches and
+/// moduli, on which a design acts.
+
+#include <span>
+
+#include "lissom/core/types.h"
+#include "lissom/mechanics/strain.h"
+#include "lissom/mechanics/system.h"
+
+namespace lissom {
+
+/// A pair's rest numbers in the order of PairRestIndex.
+template <class T>
+void write_pair(const PairRestT<T>& rest, T* out) {
+  out[kKappa1] = rest.kappa_1;
+  out[kKappa2] = rest.kappa_2;
+  out[kRestTwist] = rest.twist;
+  out[kBend1] = rest.bend_1;
+  out[kBend2] = rest.bend_2;
+  out[kTwistStiffness] = rest.twist_stiffness;
+  out[kPairLength] = rest.length;
+}
+
+enum EdgeNumber { kEdgeLength, kEdgeStretch, kEdgeMass, kEdgeNumbers };
+/// Corners along the material axes (two each), moduli, area, and the lengths of the sides that start at each corner.
+enum TriangleNumber {
+  kCorner = 0,
+  kSheetStiffness1 = 6,
+  kSheetStiffness2,
+  kSheetPoisson,
+  kTriangleArea,
+  kSide,
+  kTriangleNumbers = kSide + 3
+};
+enum HingeNumber { kHingeStiffness, kHingeAngle, kHingeNumbers };
+
+class RestNumbers {
+ public:
+  explicit RestNumbers(const Structure& structure)
+      : pairs_(kEdgeNumbers * static_cast<int>(structure.edges.size())),
+        connections_(pairs_ + kPairRestCount * static_cast<int>(structure.pairs.size())) {
+    int count = 0;
+    for (const StructureJoint& joint : structure.joints) count += static_cast<int>(joint.connections.size());
+    triangles_ = connections_ + kConnectionRestCount * count;
+    hinges_ = triangles_ + kTriangleNumbers * static_cast<int>(structure.triangles.size());
+    size_ = hinges_ + kHingeNumbers * static_cast<int>(structure.hinges.size());
+  }
+
+  int edge(int e, int number) const { return kEdgeNumbers * e + number; }
+  int pair(int p, int number) const { return pairs_ + kPairRestCount * p + number; }
+  int connection(int k, int number) const { return connections_ + kConnectionRestCount * k + number; }
+  int triangle(int t, int number) const { return triangles_ + kTriangleNumbers * t + number; }
+  int hinge(int h, int number) const { return hinges_ + kHingeNumbers * h + number; }
+  int size() const { return size_; }
+
+ private:
+  int pairs_ = 0, connections_ = 0, triangles_ = 0, hinges_ = 0, size_ = 0;
+};
+
+/// Inputs: places of nodes in the drawing (m), half-extents of edges along n and b (m), pre-stretches of membranes along
+/// axes 1 and 2, Young's moduli of rods (Pa); of membranes stiffness 1 and 2 (N/m), Poisson's ratio, thickness (m).
+class RestInputs {
+ public:
+  explicit RestInputs(const Structure& structure)
+      : extents_(3 * static_cast<int>(structure.nodes.size())),
+        rods_(extents_ + 2 * static_cast<int>(structure.edges.size())),
+        membranes_(rods_ + static_cast<int>(structure.rods.size())),
+        size_(membranes_ + kMembraneInputs * static_cast<int>(structure.membranes.size())) {}
+
+  int position(int node) const { return 3 * node; }
+  int extent_n(int edge) const { return extents_ + 2 * edge; }
+  int extent_b(int edge) const { return extents_ + 2 * edge + 1; }
+  int youngs_modulus(int rod) const { return rods_ + rod; }
+  int pre_stretch(int membrane, int axis) const { return membranes_ + kMembraneInputs * membrane + axis; }
+  int sheet_stiffness(int membrane, int axis) const { return membranes_ + kMembraneInputs * membrane + 2 + axis; }
+  int sheet_poisson(int membrane) const { return membranes_ + kMembraneInputs * membrane + 4; }
+  int thickness(int membrane) const { return membranes_ + kMembraneInputs * membrane + 5; }
+  int size() const { return size_; }
+
+ private:
+  static constexpr int kMembraneInputs = 6;
+  int extents_ = 0, rods_ = 0, membranes_ = 0, size_ = 0;
+};
+
+/// All rest numbers, in the order of RestNumbers; those of RestState.
+VecX rest_number_values(const System& system);
+
+/// All inputs of a system's rest numbers, in the order of RestInputs.
+VecX rest_input_values(const Model& model, const System& system);
+
+}  // namespace lissom
