@@ -17,6 +17,8 @@ namespace lissom {
 namespace {
 
 constexpr int kMaxEscapes = 8;
+constexpr double kFarFromPrediction = 5;  // times the predicted move [mathematics 5.4]
+constexpr double kNoticed = 1e-3;         // of the size: smaller moves are none to speak of
 
 }  // namespace
 
@@ -63,8 +65,21 @@ Equilibrium LiveSolver::resettle(const State& before) {
   factorizations_before_ = workspace_.factorizations();
   result.state = before;
   result.tolerance = tolerance();
+  following_ = {};
   if (!before.q.allFinite()) return finish(std::move(result), Verdict::kBadStart);
-  return descend(std::move(result), FirstStep::kFactorAtHand);
+  const System& system = workspace_.system();
+  const VecX held = problem_.supports.prescribed_increment(system, before, before.load_factor);
+  if (!held.isZero(0) && !advance(system, before, held, result.state)) {
+    return finish(std::move(result), Verdict::kBadStart);
+  }
+  escapes_ = 0;
+  result = descend(std::move(result), FirstStep::kFactorAtHand);
+  const int nodes = system.layout.nodes();
+  following_.predicted = minimizer_ ? minimizer_->predicted_move() : 0;
+  following_.moved = (result.state.q - before.q).head(3 * nodes).norm() / std::sqrt(nodes);
+  following_.jumped =
+      escapes_ > 0 || following_.moved > kFarFromPrediction * following_.predicted + kNoticed * problem_.scales.length;
+  return result;
 }
 
 Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
@@ -94,6 +109,7 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     if (!leave || !escape(workspace_, options_.path, result.state, stability.modes.front().shape)) {
       return finish(std::move(result), Verdict::kUnstable);
     }
+    ++escapes_;
   }
 }
 

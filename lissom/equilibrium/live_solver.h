@@ -11,6 +11,14 @@
 
 namespace lissom {
 
+/// How an equilibrium followed a change: a shape that lands far from its first-order prediction, or that lost its stability
+/// on the way, is another branch.
+struct Following {
+  double predicted = 0;  ///< m, root mean square over nodes, of the prediction
+  double moved = 0;      ///< m, of what happened
+  bool jumped = false;
+};
+
 class LiveSolver {
  public:
   /// The problem has to outlive the solver; its terms may be replaced in between (renew_terms).
@@ -21,12 +29,15 @@ class LiveSolver {
   /// Brings `start` to `load_factor` and into equilibrium. Never returns a state that is not finite.
   Equilibrium settle(const State& start, double load_factor);
 
-  /// Follows a small change of the problem's numbers from an equilibrium of the old ones, at its load factor: first-order
-  /// prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
+  /// Follows a small change of the problem's numbers, or of the places that it holds, from an equilibrium of the old ones, at
+  /// its load factor: first-order prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
   Equilibrium resettle(const State& before);
 
   /// To be called after the terms of the problem's potential were replaced.
   void renew_terms();
+
+  /// What became of the last resettle.
+  const Following& following() const { return following_; }
 
  private:
   double tolerance() const;
@@ -38,7 +49,9 @@ class LiveSolver {
   Context context_;
   NewtonWorkspace workspace_;
   std::optional<Minimizer> minimizer_;
+  Following following_;
   int factorizations_before_ = 0;
+  int escapes_ = 0;  // unstable equilibria left on the way
 };
 
 }  // namespace lissom

@@ -138,6 +138,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
   state_ = &state;
   crawling_ = 0;
   tolerance_ = tolerance;
+  predicted_move_ = 0;
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
   stale_ = reuse_ && workspace_.has_plain_factor();
   if (rods_ && !predict_) {
@@ -180,6 +181,10 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
     const double curvature = free_.dot(image_);
     workspace_.to_increment(free_, step_);
     path_.drift().remove(*state_, step_);
+    if (predicted_) {
+      const int nodes = workspace_.system().layout.nodes();
+      predicted_move_ = step_.head(3 * nodes).norm() / std::sqrt(nodes);
+    }
     const double reach = step_reach(workspace_.system(), *state_, step_, options_);
     path_.begin(*state_, step_, reach, own_factor_);
     const bool moved = line_search(slope, curvature, reach);

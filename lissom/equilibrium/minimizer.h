@@ -38,6 +38,9 @@ class Minimizer {
   /// To be called when the terms of the potential were replaced.
   void renew_terms();
 
+  /// m, root mean square over nodes of the last first-order prediction, whole; 0 when the last run made none.
+  double predicted_move() const { return predicted_move_; }
+
  private:
   bool newton_step();
   /// Of the matrix that gave the present step.
@@ -58,6 +61,7 @@ class Minimizer {
   State trial_, best_;
   VecX free_, step_, image_;
   double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
+  double predicted_move_ = 0;
   int crawling_ = 0;      // small steps in a row while some direction has negative curvature
   bool escapes_ = false;  // saddle points on the way are left; where there are membranes
   bool first_trial_ = false;

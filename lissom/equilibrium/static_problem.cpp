@@ -106,19 +106,27 @@ Status renew_numbers(const Model& model, const Pose& pose, const std::string& wh
                      StaticProblem& problem) {
   Result<System> changed = make_system(model);
   if (!changed) return changed.error();
-  auto terms = make_terms(model, changed.value(), &pose, where);
+  return renew_numbers(model, pose, where, std::move(changed).value(), system, problem);
+}
+
+Status renew_numbers(const Model& model, const Pose& pose, const std::string& where, System changed, System& system,
+                     StaticProblem& problem) {
+  auto terms = make_terms(model, changed, &pose, where);
   if (!terms) return terms.error();
-  bool same = same_topology(system.structure, changed.value().structure) &&
+  const Result<Supports> supports = Supports::make(model, changed, pose, where, NullMotions::kKeep);
+  if (!supports) return supports.error();
+  bool same = same_topology(system.structure, changed.structure) && problem.supports.same_held(supports.value()) &&
               terms.value().size() == problem.potential.terms().size();
   for (size_t t = 0; same && t < terms.value().size(); ++t) {
     same = terms.value()[t]->stencils() == problem.potential.terms()[t]->stencils();
   }
   if (!same) {
-    return Error{ErrorCode::kConflict, where, "the changed structure has other nodes, joints or triangles",
+    return Error{ErrorCode::kConflict, where, "the changed structure has other nodes, joints, triangles or supports",
                  "discretise it anew and carry the shape over"};
   }
-  system = std::move(changed).value();
+  system = std::move(changed);
   problem.potential.replace_terms(std::move(terms).value());
+  problem.supports.take_places(supports.value());
   problem.scales = make_scales(system, problem.potential);
   problem.mode_metric = make_mode_metric(system, problem.supports);
   return {};

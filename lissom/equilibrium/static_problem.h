@@ -41,6 +41,10 @@ Result<StaticProblem> make_static_problem(const Model& model, const System& syst
 Status renew_numbers(const Model& model, const Pose& pose, const std::string& where, System& system,
                      StaticProblem& problem);
 
+/// The same with a system of the changed model at hand.
+Status renew_numbers(const Model& model, const Pose& pose, const std::string& where, System changed, System& system,
+                     StaticProblem& problem);
+
 /// The drawn shape with the pose's seed: where a solve starts from.
 State start_state(const StaticProblem& problem, const Pose& pose);
 

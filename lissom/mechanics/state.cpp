@@ -30,23 +30,25 @@ double connection_twist(const Connection& c, const Mat3& rotation, const EdgeSta
 
 }  // namespace
 
-State drawn_state(const System& system) {
+State state_of_shape(const System& system, const VecX& positions, std::span<const Vec3> normals,
+                     std::span<const Mat3> rotations, double load_factor) {
   const Structure& structure = system.structure;
   State state;
   state.q = VecX::Zero(system.layout.size());
-  for (int i = 0; i < system.layout.nodes(); ++i) state.q.segment<3>(3 * i) = structure.nodes[i];
+  state.q.head(3 * system.layout.nodes()) = positions;
+  state.load_factor = load_factor;
   state.edges.reserve(structure.edges.size());
-  for (const StructureEdge& edge : structure.edges) {
-    const Vec3 e = structure.nodes[edge.node1] - structure.nodes[edge.node0];
+  for (int i = 0; i < system.edge_count(); ++i) {
+    const Vec3 e = state.position(structure.edges[i].node1) - state.position(structure.edges[i].node0);
     const double length = e.norm();
-    const Frame frame = frame_from_normal(e / length, edge.drawn.n);
+    const Frame frame = frame_from_normal(e / length, normals[i]);
     state.edges.push_back({frame.t, frame.b, frame.b, length});
   }
-  state.joint_rotation.assign(structure.joints.size(), Mat3::Identity());
+  state.joint_rotation.assign(rotations.begin(), rotations.end());
   state.joint_turn.assign(structure.joints.size(), Vec3::Zero());
   for (int j = 0; j < system.joint_count(); ++j) {
     if (structure.joints[j].kind == JointKind::kCorotational) {
-      state.joint_rotation[j] = matched_rotation(system, j, state.edges, Mat3::Identity());
+      state.joint_rotation[j] = matched_rotation(system, j, state.edges, rotations[j]);
     }
   }
   for (int p = 0; p < static_cast<int>(structure.pairs.size()); ++p) {
@@ -58,6 +60,15 @@ State drawn_state(const System& system) {
     state.connection_twist.push_back(connection_twist(c, state.joint_rotation[c.joint], state.edges[c.edge], 0));
   }
   return state;
+}
+
+State drawn_state(const System& system) {
+  const Structure& structure = system.structure;
+  VecX positions(3 * system.layout.nodes());
+  for (int i = 0; i < system.layout.nodes(); ++i) positions.segment<3>(3 * i) = structure.nodes[i];
+  std::vector<Vec3> normals;
+  for (const StructureEdge& edge : structure.edges) normals.push_back(edge.drawn.n);
+  return state_of_shape(system, positions, normals, std::vector<Mat3>(structure.joints.size(), Mat3::Identity()), 0);
 }
 
 bool advance(const System& system, const State& from, const VecX& dq, State& to, ThreadPool* threads) {

@@ -2,6 +2,7 @@
 /// Configuration of a system: unknowns and their history. Reference frames, twists and joint rotations are part of it:
 /// they are copied, saved and restored with it.
 
+#include <span>
 #include <vector>
 
 #include "lissom/core/parallel.h"
@@ -36,6 +37,12 @@ struct State {
 
 /// The drawn shape, at load factor 0.
 State drawn_state(const System& system);
+
+/// A shape put together: positions of nodes (3 per node, m), directions near which the material normals of the edges lie,
+/// rotations of the joints (of corotational ones where shape matching starts from). Reference frames are the material frames,
+/// twists those nearest to rest.
+State state_of_shape(const System& system, const VecX& positions, std::span<const Vec3> normals,
+                     std::span<const Mat3> rotations, double load_factor);
 
 /// `from` moved by dq: positions and rolls add, joint rotations turn by exp([r]), frames are carried along by parallel
 /// transport, twists keep their branch. Storage of `to` is reused; `to` may not be `from`. Returns false, with `to`

@@ -36,7 +36,8 @@ class Supports {
   /// How unknowns that are held follow the drawn places of nodes: d held unknowns / d drawn positions, (unknowns x 3 nodes),
   /// rows in local axes. Movements on top of them count as fixed.
   SparseMatrix held_by_places(const System& system) const;
-  /// Holds the same unknowns at the places of `other`, which is of the same pose on a system of the same topology.
+  bool same_held(const Supports& other) const { return held_ == other.held_; }
+  /// Holds the same unknowns at the places of `other`, which holds the same ones.
   void take_places(const Supports& other);
 
   /// Free entries of a vector in local axes, and the other way round (held entries 0).

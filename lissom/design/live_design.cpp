@@ -1,0 +1,123 @@
+#include "lissom/design/live_design.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "lissom/design/carry_over.h"
+
+namespace lissom {
+
+namespace {
+
+bool same_rods(const Plan& a, const Plan& b) {
+  if (a.points.size() != b.points.size() || a.rods.size() != b.rods.size()) return false;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    if (a.points[i].name != b.points[i].name || a.points[i].split != b.points[i].split) return false;
+  }
+  for (std::size_t r = 0; r < a.rods.size(); ++r) {
+    const PlanRod &x = a.rods[r], &y = b.rods[r];
+    if (x.name != y.name || x.points != y.points || x.curve != y.curve || x.role != y.role || x.closed != y.closed) {
+      return false;
+    }
+  }
+  const auto same_holes = [&] { return a.fabric.holes == b.fabric.holes && a.fabric.outline == b.fabric.outline; };
+  return same_holes() && a.edge_length == b.edge_length && a.max_turn == b.max_turn &&
+         a.fabric.edge_length == b.fabric.edge_length && a.fabric.min_angle == b.fabric.min_angle;
+}
+
+Result<System> system_of(const Model& model, const ExpandedPlan& plan) {
+  Result<Structure> structure = discretize(model, plan);
+  if (!structure) return structure.error();
+  return make_system(model, std::move(structure).value());
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveDesign>> LiveDesign::make(const Model& model, int pose, const Options& options,
+                                                     const Context& context) {
+  if (!model.plan) {
+    return Error{ErrorCode::kConflict, "/plan", "there is no plan to edit", "describe the structure by a plan"};
+  }
+  if (pose < 0 || pose >= static_cast<int>(model.poses.size())) {
+    return Error{ErrorCode::kUnknown, "/poses", fmt::format("there is no pose number {}", pose),
+                 "choose one of the poses"};
+  }
+  if (Status s = options.solve.validate(); !s) return s.error();
+  std::unique_ptr<LiveDesign> design(new LiveDesign(model, pose, options, context));
+  Result<PlanMesh> mesh = PlanMesh::make(model, options.refine);
+  if (!mesh) return mesh.error();
+  design->mesh_.emplace(std::move(mesh).value());
+  design->expanded_ = design->mesh_->as_made();
+  Result<System> system = system_of(model, design->expanded_);
+  if (!system) return system.error();
+  design->system_ = std::move(system).value();
+  const Pose& own = design->pose_of(model);
+  Result<StaticProblem> problem = make_static_problem(model, design->system_, own, design->place());
+  if (!problem) return problem.error();
+  design->problem_.emplace(std::move(problem).value());
+  design->solver_ = std::make_unique<LiveSolver>(*design->problem_, options.solve, design->context_);
+  design->equilibrium_ = design->solver_->settle(start_state(*design->problem_, own), 1);
+  return design;
+}
+
+Result<DesignChange> LiveDesign::change(const Model& changed) {
+  if (!changed.plan) {
+    return Error{ErrorCode::kConflict, "/plan", "the changed model has no plan", "describe the structure by a plan"};
+  }
+  if (pose_ >= static_cast<int>(changed.poses.size())) {
+    return Error{ErrorCode::kUnknown, "/poses", "the changed model has lost the pose that is shown",
+                 "keep the pose, or open the design anew"};
+  }
+  if (!same_rods(*model_.plan, *changed.plan)) return remesh(changed, "points or rods were added or taken away");
+  const MeshFit fit = mesh_->fit(*changed.plan, options_.mesh);
+  return fit.good ? follow(changed) : remesh(changed, fit.reason);
+}
+
+Result<DesignChange> LiveDesign::follow(const Model& changed) {
+  Result<ExpandedPlan> expanded = mesh_->moved_to(changed);
+  if (!expanded) return expanded.error();
+  Result<System> system = system_of(changed, expanded.value());
+  if (!system) return system.error();
+  if (!renew_numbers(changed, pose_of(changed), place(), std::move(system).value(), system_, *problem_)) {
+    // Other supports or loads: the mesh is good, but patterns and factors are not.
+    return remesh(changed, "supports or loads were changed");
+  }
+  model_ = changed;
+  expanded_ = std::move(expanded).value();
+  solver_->renew_terms();
+  equilibrium_ = solver_->resettle(equilibrium_.state);
+  return DesignChange{false, {}, solver_->following()};
+}
+
+Result<DesignChange> LiveDesign::remesh(const Model& changed, std::string reason) {
+  Result<PlanMesh> mesh = PlanMesh::make(changed, options_.refine);
+  if (!mesh) return mesh.error();
+  Result<System> made = system_of(changed, mesh.value().as_made());
+  if (!made) return made.error();
+  System system = std::move(made).value();
+  const Pose& own = pose_of(changed);
+  // The old fabric where the plan is now tells best which point of it is which.
+  const bool same = same_rods(*model_.plan, *changed.plan);
+  Result<ExpandedPlan> moved = same ? mesh_->moved_to(changed) : Result<ExpandedPlan>(expanded_);
+  const PlanStage from{same && moved ? *changed.plan : *model_.plan, moved ? moved.value() : expanded_, system_};
+  const State start = carried_over(from, equilibrium_.state, {*changed.plan, mesh.value().as_made(), system});
+  Result<StaticProblem> problem = make_static_problem(changed, system, own, place());
+  if (!problem) return problem.error();
+  solver_.reset();
+  problem_.reset();
+  model_ = changed;
+  mesh_.emplace(std::move(mesh).value());
+  expanded_ = mesh_->as_made();
+  system_ = std::move(system);
+  problem_.emplace(std::move(problem).value());
+  problem_->system = &system_;
+  solver_ = std::make_unique<LiveSolver>(*problem_, options_.solve, context_);
+  equilibrium_ = solver_->settle(start, start.load_factor);
+  DesignChange change{true, std::move(reason), {}};
+  const int nodes = system_.layout.nodes();
+  change.following.moved = (equilibrium_.state.q - start.q).head(3 * nodes).norm() / std::sqrt(nodes);
+  return change;
+}
+
+}  // namespace lissom

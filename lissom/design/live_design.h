@@ -1,0 +1,67 @@
+#pragma once
+/// A plan under edit: its equilibrium follows every change. Small changes keep mesh, patterns and factor; larger ones get a
+/// new mesh, on which the shape goes on from where it was.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lissom/core/context.h"
+#include "lissom/design/plan_mesh.h"
+#include "lissom/equilibrium/live_solver.h"
+
+namespace lissom {
+
+/// How a design took a change.
+struct DesignChange {
+  bool remeshed = false;
+  std::string reason;   ///< why, in words, when it was
+  Following following;  ///< predicted and actual move; after remeshing the move from the shape carried over
+};
+
+class LiveDesign {
+ public:
+  struct Options {
+    SolveOptions solve;
+    MeshLimits mesh;
+    double refine = 1;
+  };
+
+  /// Releases pose number `pose` of a model with a plan, from its seed.
+  static Result<std::unique_ptr<LiveDesign>> make(const Model& model, int pose, const Options& options,
+                                                  const Context& context = {});
+  LiveDesign(const LiveDesign&) = delete;
+  LiveDesign& operator=(const LiveDesign&) = delete;
+
+  const Model& model() const { return model_; }
+  const PlanMesh& mesh() const { return *mesh_; }
+  const System& system() const { return system_; }
+  const StaticProblem& problem() const { return *problem_; }
+  const Equilibrium& equilibrium() const { return equilibrium_; }
+
+  /// Takes over another model, with any points, rods and numbers, and follows it. After an error all is as before. A shape
+  /// that is not stable in the end is kept and is where the next change starts.
+  Result<DesignChange> change(const Model& changed);
+
+ private:
+  LiveDesign(Model model, int pose, const Options& options, const Context& context)
+      : model_(std::move(model)), pose_(pose), options_(options), context_(context) {}
+
+  std::string place() const { return "/poses/" + std::to_string(pose_); }
+  const Pose& pose_of(const Model& model) const { return model.poses[static_cast<std::size_t>(pose_)]; }
+  Result<DesignChange> follow(const Model& changed);
+  Result<DesignChange> remesh(const Model& changed, std::string reason);
+
+  Model model_;
+  int pose_;
+  Options options_;
+  Context context_;
+  std::optional<PlanMesh> mesh_;
+  ExpandedPlan expanded_;  ///< the plan as it is now, on the mesh
+  System system_;
+  std::optional<StaticProblem> problem_;
+  std::unique_ptr<LiveSolver> solver_;
+  Equilibrium equilibrium_;
+};
+
+}  // namespace lissom
