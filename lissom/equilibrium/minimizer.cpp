@@ -20,6 +20,7 @@ constexpr double kSmallestStep = 1e-7;
 constexpr int kFirstRelaxation = 8;
 constexpr double kCgTolerance = 1e-2;  // of a step by conjugate gradients, in the norm of the preconditioner
 constexpr int kCgIterations = 16;      // cost about as much as one factorisation
+constexpr int kMostChords = 2;         // steps in a run that take the old factor for the present one
 constexpr double kCrawl = 0.01;        // rad; steps this small along a shifted Hessian end in a saddle point
 constexpr int kMostCrawling = 3;       // of them in a row before it is left
 constexpr double kReuseGain = 0.3;     // forces have to fall to this share in a step without a factor of its own
@@ -107,8 +108,15 @@ bool Minimizer::newton_step() {
   if (stale_) {
     own_factor_ = false;
     image_ = free_;
-    if (cg_.solve(workspace_, image_, kCgTolerance, kCgIterations, free_) == CgEnd::kConverged) return true;
-    free_ = -workspace_.free_gradient();
+    const CgEnd end = cg_.solve(workspace_, image_, kCgTolerance, kCgIterations, free_);
+    if (end == CgEnd::kConverged) return true;
+    free_ = image_;
+    if (end == CgEnd::kNegative && chords_ < kMostChords) {
+      // The old matrix was positive definite: its step lowers the energy where the present one has no minimum.
+      ++chords_;
+      workspace_.factor().solve(free_, free_);
+      return true;
+    }
   }
   own_factor_ = true;
   if (!shift_.factorize(workspace_)) return false;
@@ -136,7 +144,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
                        FirstStep first) {
   Descent result;
   state_ = &state;
-  crawling_ = 0;
+  crawling_ = chords_ = 0;
   tolerance_ = tolerance;
   predicted_move_ = 0;
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();

@@ -62,6 +62,7 @@ class Minimizer {
   VecX free_, step_, image_;
   double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
   double predicted_move_ = 0;
+  int chords_ = 0;        // steps of this run that took an old factor as it is
   int crawling_ = 0;      // small steps in a row while some direction has negative curvature
   bool escapes_ = false;  // saddle points on the way are left; where there are membranes
   bool first_trial_ = false;
