@@ -29,7 +29,7 @@ double edges_of(const Plan& plan, double length, const Turn& turn) {
   while (n < kMostNodes) {
     const double worst = turn(static_cast<int>(n));
     if (worst <= allowed) break;
-    n = std::max(n + 1, std::ceil(0.9 * n * worst / allowed));
+    n = std::max({n + 1, std::floor(1.01 * n), std::ceil(0.9 * n * worst / allowed)});
   }
   return n;
 }
