@@ -8,6 +8,8 @@ namespace lissom {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  // of the lengths of two segments: how far off their crossing may be
+
 double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 double point_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -23,8 +25,12 @@ double segment_distance(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2&
   const double s = cross(b - a, c - a), t = cross(b - a, d - a);
   const double u = cross(d - c, a - c), v = cross(d - c, b - c);
   const bool across = ((s > 0) != (t > 0)) && ((u > 0) != (v > 0)) && s != t && u != v;
-  if (across) return 0;
-  return std::min({point_distance(a, c, d), point_distance(b, c, d), point_distance(c, a, b), point_distance(d, a, b)});
+  const double ends =
+      std::min({point_distance(a, c, d), point_distance(b, c, d), point_distance(c, a, b), point_distance(d, a, b)});
+  if (!across) return ends;
+  // The signs are rounding where the segments lie in one line: believe in a crossing only where it is on both.
+  const double crossing = point_distance(c + s / (s - t) * (d - c), a, b);
+  return crossing <= kRounding * ((b - a).norm() + (d - c).norm()) ? 0 : std::min(ends, crossing);
 }
 
 std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,

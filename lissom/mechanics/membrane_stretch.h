@@ -4,6 +4,12 @@
 ///   V = A (1/2 c11 E11^2 + 1/2 c22 E22^2 + c12 E11 E22 + 2 G E12^2),
 /// with c11 = Y1 / (1 - mu^2), c22 = Y2 / (1 - mu^2), c12 = mu sqrt(Y1 Y2) / (1 - mu^2), G = sqrt(Y1 Y2) / (2 (1 + mu)).
 /// Material axes 1 and 2 are the axes of the rest corners, which must run anticlockwise.
+///
+/// This material gives way below a stretch of 1/sqrt(3): pressed together further, single triangles would vanish, and with
+/// them the smoothness of the bending energy. Yarns cannot be pressed to nothing either. So where the area falls below
+/// kCrushedArea of the rest area,
+///   A k (1 - r)^3 / r,  r = det(F'F) / kCrushedArea^2,  k = kCrushStiffness (c11 + c22)
+/// is added, which is twice differentiable, and infinite for a triangle without area.
 
 #include <cmath>
 
@@ -27,6 +33,24 @@ struct SheetModuli {
 template <class T>
 struct SheetTension {
   T s11, s22, s12;
+};
+
+/// What is added where a triangle is crushed, by its rest area, N/m, and its derivatives by det(F'F).
+template <class T>
+struct SheetCrush {
+  static constexpr double kCrushedArea = 0.32;     // of the rest area
+  static constexpr double kCrushStiffness = 0.05;  // a third of that area resists about as much as taut fabric pulls
+  static constexpr double kBegin = kCrushedArea * kCrushedArea;
+
+  T energy, first, second;
+
+  /// det(F'F) below kBegin.
+  static SheetCrush of(const SheetModuli<T>& c, const T& squared_area) {
+    const T k = T(kCrushStiffness) * (c.c11 + c.c22), slope = T(1 / kBegin);
+    const T r = squared_area * slope, gap = T(1) - r, per = T(1) / r, ratio = gap * per;
+    return {k * gap * gap * ratio, -k * slope * ratio * (T(3) * gap + gap * ratio),
+            k * slope * slope * T(2) * per * (T(3) * gap + T(3) * gap * ratio + gap * ratio * ratio)};
+  }
 };
 
 struct MembraneStretch {
@@ -67,8 +91,10 @@ struct MembraneStretch {
     }
     const T e11 = T(0.5) * (f11 - T(1)), e22 = T(0.5) * (f22 - T(1)), e12 = T(0.5) * f12;
     const SheetModuli<T> c = SheetModuli<T>::of(rest[6], rest[7], rest[8]);
-    const T density =
+    T density =
         T(0.5) * c.c11 * e11 * e11 + T(0.5) * c.c22 * e22 * e22 + c.c12 * e11 * e22 + T(2) * c.shear * e12 * e12;
+    const T squared_area = f11 * f22 - f12 * f12;
+    if (squared_area < T(SheetCrush<T>::kBegin)) density += SheetCrush<T>::of(c, squared_area).energy;
     return T(0.5) * twice_area * density;
   }
 
@@ -89,7 +115,8 @@ struct MembraneStretch {
   template <class T>
   static T energy(const Local<T>& a) {
     const Deformed<T> d(a);
-    return T(0.5) * d.area * (d.s.s11 * d.e11 + d.s.s22 * d.e22 + T(2) * d.s.s12 * d.e12);
+    const T density = T(0.5) * (d.s.s11 * d.e11 + d.s.s22 * d.e22 + T(2) * d.s.s12 * d.e12);
+    return d.area * (d.crushed ? density + d.crush.energy : density);
   }
 
   template <class T>
@@ -105,9 +132,12 @@ struct MembraneStretch {
   struct Deformed {
     T area, n21, n22, n31, n32;
     T f1[3], f2[3];
+    T f11, f22, f12;  // of F'F
     T e11, e22, e12;
     SheetModuli<T> c;
-    SheetTension<T> s;
+    SheetTension<T> s;    // without what is added where the triangle is crushed
+    SheetCrush<T> crush;  // of crushed lanes, 0 in others; only there when `crushed`
+    bool crushed;
 
     explicit Deformed(const Local<T>& a) : c(SheetModuli<T>::of(a.rest[6], a.rest[7], a.rest[8])) {
       const T a1 = a.rest[2] - a.rest[0], a2 = a.rest[3] - a.rest[1];
@@ -118,7 +148,7 @@ struct MembraneStretch {
       n22 = -b1 * per;
       n31 = -a2 * per;
       n32 = a1 * per;
-      T f11 = T(0), f22 = T(0), f12 = T(0);
+      f11 = f22 = f12 = T(0);
       for (int i = 0; i < 3; ++i) {
         const T d = a.x[3 + i] - a.x[i], e = a.x[6 + i] - a.x[i];
         f1[i] = d * n21 + e * n31;
@@ -131,6 +161,41 @@ struct MembraneStretch {
       e22 = T(0.5) * (f22 - T(1));
       e12 = T(0.5) * f12;
       s = {c.c11 * e11 + c.c12 * e22, c.c22 * e22 + c.c12 * e11, T(2) * c.shear * e12};
+      crushed = find_crushed(f11 * f22 - f12 * f12);
+    }
+
+    /// Hardly ever any: lane by lane.
+    bool find_crushed(const Pack& squared_area) {
+      bool any = false;
+      for (int l = 0; l < kLanes; ++l) any = any || squared_area[l] < SheetCrush<double>::kBegin;
+      if (!any) return false;
+      crush = {T(0), T(0), T(0)};
+      for (int l = 0; l < kLanes; ++l) {
+        if (!(squared_area[l] < SheetCrush<double>::kBegin)) continue;
+        const auto one = SheetCrush<double>::of({c.c11[l], c.c22[l], c.c12[l], c.shear[l]}, squared_area[l]);
+        crush.energy.set(l, one.energy);
+        crush.first.set(l, one.first);
+        crush.second.set(l, one.second);
+      }
+      return true;
+    }
+
+    /// Tensions with what is added: the derivative of det(F'F) by E is twice the adjugate of F'F.
+    SheetTension<T> whole() const {
+      if (!crushed) return s;
+      const T twice = T(2) * crush.first;
+      return {s.s11 + twice * f22, s.s22 + twice * f11, s.s12 - twice * f12};
+    }
+
+    /// Adds what is left of the second derivatives by f1 and f2, times the area, for the entries i and j.
+    void add_crush(int i, int j, T& k11, T& k22, T& k12, T& k21) const {
+      const auto q1 = [&](int n) { return f22 * f1[n] - f12 * f2[n]; };
+      const auto q2 = [&](int n) { return f11 * f2[n] - f12 * f1[n]; };
+      const T once = T(2) * area * crush.first, twice = T(4) * area * crush.second;
+      k11 += twice * q1(i) * q1(j) - once * f2[i] * f2[j];
+      k22 += twice * q2(i) * q2(j) - once * f1[i] * f1[j];
+      k12 += twice * q1(i) * q2(j) + once * (T(2) * f1[i] * f2[j] - f2[i] * f1[j]);
+      k21 += twice * q2(i) * q1(j) + once * (T(2) * f2[i] * f1[j] - f1[i] * f2[j]);
     }
   };
 };
@@ -140,7 +205,8 @@ void MembraneStretch::derivatives(const Local<T>& a, T* gradient, T* hessian) {
   const Deformed<T> d(a);
   const T *f1 = d.f1, *f2 = d.f2;
   // Moduli and tensions times the area.
-  const T s11 = d.area * d.s.s11, s22 = d.area * d.s.s22, s12 = d.area * d.s.s12;
+  const SheetTension<T> s = d.whole();
+  const T s11 = d.area * s.s11, s22 = d.area * s.s22, s12 = d.area * s.s12;
   for (int i = 0; i < 3; ++i) {
     const T p1 = f1[i] * s11 + f2[i] * s12, p2 = f1[i] * s12 + f2[i] * s22;
     gradient[3 + i] = p1 * d.n21 + p2 * d.n22;
@@ -161,6 +227,7 @@ void MembraneStretch::derivatives(const Local<T>& a, T* gradient, T* hessian) {
     for (int j = 0; j <= i; ++j) {
       T k11 = c11_f1 * f1[j] + shear_f2 * f2[j], k22 = c22_f2 * f2[j] + shear_f1 * f1[j];
       T k12 = c12_f1 * f2[j] + shear_f2 * f1[j], k21 = c12_f2 * f1[j] + shear_f1 * f2[j];  // k21 = k12 transposed
+      if (d.crushed) d.add_crush(i, j, k11, k22, k12, k21);
       if (i == j) {
         k11 += s11;
         k22 += s22;

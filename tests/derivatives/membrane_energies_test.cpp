@@ -117,6 +117,20 @@ TEST(MembraneEnergies, FlatSheetHasExactDerivatives) {
   expect_exact(bend, sheet, state);
 }
 
+/// Pressed together along x until triangles resist being crushed, some of a pack more than others, some not at all.
+TEST(MembraneEnergies, CrushedSheetHasExactDerivatives) {
+  const Sheet sheet;
+  StencilTerm<MembraneStretch> stretch(sheet.stretch);
+  for (const double squeeze : {0.05, 0.2, 0.3}) {
+    State state = sheet.moved(9, 0.1);
+    for (int i = 0; i < sheet.system.layout.nodes(); ++i) {
+      state.q[3 * i] *= squeeze;
+      state.q[3 * i + 2] += 0.3 * state.q[3 * i + 1];
+    }
+    expect_exact(stretch, sheet, state);
+  }
+}
+
 TEST(MembraneEnergies, TaylorRemaindersHaveFullOrder) {
   const Sheet sheet;
   const Potential potential = sheet.potential();
@@ -164,6 +178,22 @@ TEST(MembraneEnergies, SmallStrainsReturnTheModuli) {
   EXPECT_LT(at_rest_2, energy_of(e, 0, -0.95 * narrowing * e));
   // Simple shear gamma: G gamma^2 / 2 with G = sqrt(Y1 Y2) / (2 (1 + mu)) = 12.
   EXPECT_NEAR(energy_of(0, e, 0) / (0.5 * 0.5 * 12 * e * e), 1, 1e-4);
+}
+
+TEST(MembraneEnergies, CrushingIsResistedMoreAndMore) {
+  // Across nothing moves. The sheet alone would need less and less force.
+  const auto force = [](double stretch) {
+    const double h = 1e-6;
+    return (energy_of(stretch - 1 - h, 0, 0) - energy_of(stretch - 1 + h, 0, 0)) / (2 * h);
+  };
+  const double begin = SheetCrush<double>::kCrushedArea;
+  EXPECT_LT(force(begin), force(1 / std::sqrt(3.0)));
+  double last = force(begin);
+  for (double stretch = begin - 0.02; stretch > 0.01; stretch -= 0.02) {
+    EXPECT_GT(force(stretch), stretch < begin - 0.05 ? last : 0);
+    last = force(stretch);
+  }
+  EXPECT_GT(energy_of(1e-3 - 1, 0, 0), 1e3 * energy_of(begin - 1, 0, 0));
 }
 
 TEST(MembraneEnergies, FoldAngleHasTheStatedSign) {
