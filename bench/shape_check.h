@@ -15,7 +15,7 @@ namespace lissom {
 struct ShapeCheck {
   bool finite = false;
   double residual = 0;    ///< N, largest force, or moment over the mean edge length
-  bool definite = false;  ///< the Hessian is positive definite
+  bool definite = false;  ///< the Hessian is positive definite, but for rounding: straight rods may spin freely
 };
 
 inline ShapeCheck check_shape(const StaticProblem& problem, const State& state) {
@@ -34,8 +34,17 @@ inline ShapeCheck check_shape(const StaticProblem& problem, const State& state) 
     const double force = std::abs(gradient[i]) / (position ? 1 : system.rest.mean_edge_length);
     if (!(force <= check.residual)) check.residual = force;
   }
+  double largest = 0;
+  for (int i = 0; i < 3 * system.layout.nodes(); ++i) {
+    if (kept[i] < 0) continue;
+    const double diagonal = std::abs(hessian[problem.potential.pattern().diagonal_slot(i)]);
+    largest = std::max(largest, diagonal / problem.mode_metric[kept[i]]);
+  }
+  const double rounding = 4e-14 * largest + 1e-6 * problem.scales.stiffness;
   LinearSolver solver(problem.potential.pattern(), kept);
-  check.definite = solver.factorize(hessian).positive_definite;
+  check.definite =
+      solver.factorize(hessian, rounding, {problem.mode_metric.data(), static_cast<size_t>(problem.mode_metric.size())})
+          .positive_definite;
   return check;
 }
 

@@ -71,6 +71,7 @@ struct Equilibrium {
   int iterations = 0;
   int factorizations = 0;  ///< all attempted, stability check included
   int negative_modes = 0;
+  int spins = 0;                ///< straight rods that turn about their own axis without energy: nothing moves
   bool start_smoothed = false;  ///< the start was crumpled (start_smoothing.h)
   double energy = 0;            ///< J
   std::vector<EnergyShare> energy_shares;

@@ -101,6 +101,7 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     const Stability stability = examine_stability(workspace_, options_.modes);
     result.modes = stability.modes;
     result.negative_modes = stability.negative;
+    result.spins = stability.spins;
     if (stability.negative == 0) {
       return finish(std::move(result), stability.critical ? Verdict::kCritical : Verdict::kStable);
     }

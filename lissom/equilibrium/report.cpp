@@ -120,7 +120,16 @@ void describe(const StaticProblem& problem, NewtonWorkspace& workspace, Equilibr
     case Verdict::kStable:
     case Verdict::kCritical:
     case Verdict::kUnstable:
-      if (!result.modes.empty()) result.message += "; lowest mode " + number(result.modes.front().stiffness) + " N/m";
+      // Spins have next to no stiffness; where nothing worse is found they come first.
+      if (const size_t first = result.verdict == Verdict::kStable ? static_cast<size_t>(result.spins) : 0;
+          first < result.modes.size()) {
+        result.message += "; lowest mode " + number(result.modes[first].stiffness) + " N/m";
+      }
+      if (result.spins > 0) {
+        result.message += "; " + std::to_string(result.spins) +
+                          (result.spins > 1 ? " straight rods turn about their" : " straight rod turns about its") +
+                          " own axis without a force, which moves nothing";
+      }
       break;
     case Verdict::kIterationLimit:
     case Verdict::kStalled:

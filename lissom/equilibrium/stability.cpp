@@ -26,6 +26,32 @@ double largest_stiffness(NewtonWorkspace& workspace) {
   return largest;
 }
 
+/// Whether no node moves in a mode: what is left are the rolls of a rod that is straight and held by points alone.
+bool is_spin(const StaticProblem& problem, const VecX& shape) {
+  constexpr double kMoving = 1e-4;  // of the mode's squared size, which is 1
+  const DofLayout& layout = problem.system->layout;
+  const std::span<const int> kept = problem.supports.kept();
+  double moving = 0;
+  for (int i = 0; i < 3 * layout.nodes(); ++i) {
+    if (kept[i] >= 0) moving += problem.mode_metric[kept[i]] * shape[kept[i]] * shape[kept[i]];
+  }
+  return moving < kMoving;
+}
+
+/// At least `count` lowest modes, and one that is no spin within `band`.
+EigenPairs lowest_modes(NewtonWorkspace& workspace, double shift, int count, double band, int& spins) {
+  const StaticProblem& problem = workspace.problem();
+  const std::span<const double> metric(problem.mode_metric.data(), problem.mode_metric.size());
+  for (;; count *= 2) {
+    EigenPairs pairs = lowest_eigenpairs(workspace.factor(), shift, metric, count);
+    spins = 0;
+    for (int k = 0; k < pairs.values.size(); ++k) {
+      if (std::abs(pairs.values[k]) <= band && is_spin(problem, pairs.vectors.col(k))) ++spins;
+    }
+    if (spins < count || pairs.values.size() < count) return pairs;
+  }
+}
+
 }  // namespace
 
 Stability examine_stability(NewtonWorkspace& workspace, int modes) {
@@ -55,7 +81,7 @@ Stability examine_stability(NewtonWorkspace& workspace, int modes) {
     stability.negative = std::max(1, report.negative_pivots);
     return stability;
   }
-  const EigenPairs pairs = lowest_eigenpairs(workspace.factor(), shift, metric, wanted);
+  const EigenPairs pairs = lowest_modes(workspace, shift, wanted, stability.band, stability.spins);
   stability.free_shapes = pairs.vectors;
   for (int k = 0; k < pairs.values.size(); ++k) {
     Mode mode;
@@ -70,12 +96,12 @@ Stability examine_stability(NewtonWorkspace& workspace, int modes) {
     stability.modes.push_back(std::move(mode));
     if (pairs.values[k] < -stability.band) {
       ++stability.negative;
-    } else if (pairs.values[k] <= stability.band) {
+    } else if (pairs.values[k] <= stability.band && !is_spin(problem, pairs.vectors.col(k))) {
       stability.critical = true;
     }
   }
   // More negative modes than were asked for: the inertia knows.
-  if (stability.negative == wanted && report.negative_pivots > stability.negative) {
+  if (stability.negative >= wanted && report.negative_pivots > stability.negative) {
     stability.negative = report.negative_pivots;
   }
   return stability;

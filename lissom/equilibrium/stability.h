@@ -10,7 +10,8 @@ namespace lissom {
 
 struct Stability {
   int negative = 0;         ///< modes that release energy, beyond rounding
-  bool critical = false;    ///< some mode costs no energy within rounding
+  bool critical = false;    ///< some mode costs no energy within rounding, spins aside
+  int spins = 0;            ///< modes without energy in which straight rods turn about their own axis: nothing moves
   double band = 0;          ///< N/m, stiffnesses below this in size count as zero
   std::vector<Mode> modes;  ///< lowest, ascending; shapes in global axes
   MatX free_shapes;         ///< the same over the free unknowns, one column each

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/geometry/hermite_curve.h"
 #include "lissom/model/expand_plan.h"
 #include "lissom/model/json_value.h"
 #include "lissom/model/limits.h"
@@ -14,6 +16,8 @@
 namespace lissom {
 
 namespace {
+
+constexpr double kMostStretch = 4;  // elastane itself breaks at five to eight times its length, knits with it far below
 
 std::string point_place(const PlanPoint& point) { return "/plan/points/" + pointer_step(point.name); }
 
@@ -40,6 +44,68 @@ void check_points(Checker& check, const Plan& plan) {
                  fmt::format("the points \"{}\" and \"{}\" are at the same place", plan.points[j].name, point.name),
                  "use one point for both: rods that share a point are joined there");
     }
+  }
+}
+
+/// Where a piece of a spline bends most, and with which radius, m; 0 where it turns on the spot.
+struct Bend {
+  double radius = std::numeric_limits<double>::infinity();
+  Vec2 at = Vec2::Zero();
+};
+
+Bend tightest_bend(const HermiteCurve<Vec2>& curve, int piece) {
+  const auto speed = [&](double s) { return curve.slope(piece, s).norm(); };
+  Bend tightest;
+  const auto look = [&](double s) {
+    const Vec2 slope = curve.slope(piece, s), change = (curve.slope(piece, s + 0.5) - curve.slope(piece, s - 0.5));
+    const double across = std::abs(slope.x() * change.y() - slope.y() * change.x()), along = slope.norm();
+    const double radius = along > 1e-9 * change.norm() ? along * along * along / across : 0;
+    if (radius < tightest.radius) tightest = {radius, curve.point(piece, s)};
+  };
+  // Bends are tight where the spline is slow, sometimes on a very short way.
+  constexpr int kPlaces = 32;
+  double slowest = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double s = double(k) / kPlaces;
+    look(s);
+    if (speed(s) < speed(slowest)) slowest = s;
+  }
+  double low = std::max(slowest - 1.0 / kPlaces, 0.0), high = std::min(slowest + 1.0 / kPlaces, 1.0);
+  for (int round = 0; round < 60; ++round) {
+    const double third = (high - low) / 3;
+    if (speed(low + third) < speed(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  look((low + high) / 2);
+  return tightest;
+}
+
+/// A spline through uneven points can turn on the spot or in a loop of no size, which no number of edges can follow.
+void check_bends(Checker& check, const Plan& plan, std::size_t r) {
+  const PlanRod& rod = plan.rods[r];
+  if (rod.curve != PlanCurve::kSpline) return;
+  const auto point = [&](int place) -> const PlanPoint& {
+    const std::size_t i = static_cast<std::size_t>(place) % rod.points.size();
+    return plan.points[static_cast<std::size_t>(rod.points[i])];
+  };
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < rod.points.size(); ++i) places.push_back(point(static_cast<int>(i)).at);
+  const HermiteCurve<Vec2> curve(places, rod.closed);
+  for (int piece = 0; piece < curve.pieces(); ++piece) {
+    const Bend bend = tightest_bend(curve, piece);
+    const double width = std::min(point(piece).r_b, point(piece + 1).r_b);
+    if (bend.radius >= width) continue;
+    return check.fail(
+        ErrorCode::kGeometry, fmt::format("/plan/rods/{}", r),
+        fmt::format(
+            "rod \"{}\" bends around a radius of {:.2g} mm between \"{}\" and \"{}\", near ({:.4g}, {:.4g}) mm, "
+            "but is {:.2g} mm wide on each side: it would run over itself",
+            rod.name, 1e3 * bend.radius, point(piece).name, point(piece + 1).name, 1e3 * bend.at.x(), 1e3 * bend.at.y(),
+            1e3 * width),
+        "space its points more evenly, or draw two rods that meet at a point there");
   }
 }
 
@@ -108,6 +174,18 @@ void check_plan_fabric(Checker& check, const Model& model) {
     check.fail(ErrorCode::kRange, where + "/pre_stretch", fmt::format("the pre-stretch is {:g}", stretch),
                "give the stretched length divided by the length at rest, for example 1.4; 1 is no stretch");
   }
+  if (!check.failed() && fabric.pre_stretch.maxCoeff() < 1) {
+    check.fail(ErrorCode::kRange, where + "/pre_stretch",
+               fmt::format("the pre-stretch is {:g}: the fabric would hang slack from the start",
+                           fabric.pre_stretch.maxCoeff()),
+               "give the stretched length divided by the length at rest, more than 1, for example 1.4");
+  }
+  if (!check.failed() && fabric.pre_stretch.maxCoeff() > kMostStretch) {
+    check.fail(ErrorCode::kRange, where + "/pre_stretch",
+               fmt::format("the pre-stretch is {:g}: no fabric can be stretched to {:g} times its length",
+                           fabric.pre_stretch.maxCoeff(), fabric.pre_stretch.maxCoeff()),
+               "give the stretched length divided by the length at rest, 1.2 to 1.8 is usual; 40 % more is 1.4");
+  }
   check.finite(fabric.warp_angle, where + "/warp_angle");
   check.not_negative(fabric.edge_length, where + "/edge_length", "edge length");
   check.not_negative(fabric.bending, where + "/bending", "bending factor");
@@ -145,6 +223,7 @@ Status check_plan(const Model& model) {
   check.distinct(rods, "rod", [](std::size_t i) { return fmt::format("/plan/rods/{}/name", i); });
   for (std::size_t r = 0; r < plan.rods.size() && !check.failed(); ++r) check_plan_rod(check, plan, r);
   if (!check.failed()) check_points(check, plan);
+  for (std::size_t r = 0; r < plan.rods.size() && !check.failed(); ++r) check_bends(check, plan, r);
   check.known(plan.material, check.materials, "material", "/plan/material");
   check.not_negative(plan.edge_length, "/plan/edge_length", "edge length");
   check.positive(plan.max_turn, "/plan/max_turn", "largest turn");

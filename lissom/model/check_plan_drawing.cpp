@@ -176,6 +176,11 @@ void note_plan(const Plan& plan, const PlanSamples& samples, const std::vector<d
         fmt::format("the fabric is slack as printed: its pre-stretch is {:g}; give more than 1, for example 1.4",
                     plan.fabric.pre_stretch.minCoeff()));
   }
+  constexpr double kUnusualStretch = 2.5;
+  if (plan.fabric.pre_stretch.maxCoeff() > kUnusualStretch) {
+    notes.push_back(fmt::format("the pre-stretch of {:g} is beyond what fabrics bear: 1.2 to 1.8 is usual",
+                                plan.fabric.pre_stretch.maxCoeff()));
+  }
   const std::map<std::array<int, 2>, double> lengths = overlaps(plan, samples, r_b);
   std::size_t told = 0;
   constexpr std::size_t kMost = 4;

@@ -99,6 +99,25 @@ const Case kCases[] = {
        add_rod(p, "island", {e, f, g}, PlanCurve::kStraight, true);
      },
      ErrorCode::kGeometry, "/plan/fabric", "rod \"frame\" and rod \"island\" are on different ones", "join the parts"},
+    {"a spline that turns on the spot",
+     [](Plan& p) {
+       const int e = add_point(p, "e", 0.02, 0.01), f = add_point(p, "f", 0.05, 0.01),
+                 g = add_point(p, "g", 0.05, 0.012), h = add_point(p, "h", 0.02, 0.008);
+       add_rod(p, "hook", {e, f, g, h}, PlanCurve::kSpline);
+     },
+     ErrorCode::kGeometry, "/plan/rods/2", "rod \"hook\" bends around a radius of", "space its points more evenly"},
+    {"a straight spline that turns back",
+     [](Plan& p) {
+       const int e = add_point(p, "e", 0.02, 0.01), f = add_point(p, "f", 0.05, 0.01),
+                 g = add_point(p, "g", 0.052, 0.01);
+       add_rod(p, "there and back", {e, g, f}, PlanCurve::kSpline);
+     },
+     ErrorCode::kGeometry, "/plan/rods/2", "bends around a radius of 0 mm", "space its points more evenly"},
+    {"slack from the start", [](Plan& p) { p.fabric.pre_stretch = Vec2(0.8, 0.95); }, ErrorCode::kRange,
+     "/plan/fabric/pre_stretch", "the pre-stretch is 0.95: the fabric would hang slack",
+     "more than 1, for example 1.4"},
+    {"percent for a factor", [](Plan& p) { p.fabric.pre_stretch = Vec2(50, 50); }, ErrorCode::kRange,
+     "/plan/fabric/pre_stretch", "no fabric can be stretched to 50 times", "40 % more is 1.4"},
     {"no pre-stretch", [](Plan& p) { p.fabric.pre_stretch = Vec2(1.4, 0); }, ErrorCode::kRange,
      "/plan/fabric/pre_stretch", "the pre-stretch is 0", "for example 1.4"},
     {"unknown fabric", [](Plan& p) { p.fabric.material = "soft nit"; }, ErrorCode::kUnknown, "/plan/fabric/material",
@@ -177,7 +196,7 @@ TEST(PlanErrors, EachNamesThePlaceAndTheRemedy) {
 TEST(PlanErrors, SlackFabricAndCloseRodsAreRemarkedOn) {
   Model model = good();
   Plan& plan = *model.plan;
-  plan.fabric.pre_stretch = Vec2(0.9, 1.2);
+  plan.fabric.pre_stretch = Vec2(0.9, 2.6);
   const int e = add_point(plan, "e", 0.011, 0.0104), f = add_point(plan, "f", 0.045, 0.0444);
   add_rod(plan, "beside", {e, f});
   const Result<Structure> structure = discretize(model);
@@ -185,6 +204,7 @@ TEST(PlanErrors, SlackFabricAndCloseRodsAreRemarkedOn) {
   std::string notes;
   for (const std::string& note : structure.value().notes) notes += note + "\n";
   EXPECT_NE(notes.find("the fabric is slack as printed: its pre-stretch is 0.9"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("the pre-stretch of 2.6 is beyond what fabrics bear"), std::string::npos) << notes;
   EXPECT_NE(notes.find("rod \"across\" and rod \"beside\" overlap over"), std::string::npos) << notes;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "lissom/geometry/b_spline.h"
 #include "lissom/geometry/planar_smoothing.h"
@@ -107,6 +108,18 @@ TEST(PlanarMesh, AngleOfATriangle) {
   EXPECT_NEAR(smallest_angle({0, 0}, {1, 0}, {0, 1}), kPi / 4, 1e-15);
   EXPECT_NEAR(smallest_angle({0, 0}, {2, 0}, {2, std::sqrt(12.0)}), kPi / 6, 1e-15);
   EXPECT_LT(smallest_angle({0, 0}, {0, 1}, {1, 0}), 0);
+}
+
+/// The signs that tell crossings are rounding where segments lie in line.
+TEST(SegmentPairs, SegmentsInLineDoNotCross) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec2 from(uniform(random), uniform(random)), along(uniform(random), uniform(random));
+    const auto at = [&](double s) -> Vec2 { return (1 - s) * from + s * (from + along); };
+    EXPECT_NEAR(segment_distance(at(0.1), at(0.3), at(0.55), at(0.8)), 0.25 * along.norm(), 1e-12);
+    EXPECT_EQ(segment_distance(at(0.1), at(0.9), at(0.5) + Vec2(1, -2), at(0.5) - Vec2(2, -4)), 0);
+  }
 }
 
 TEST(SegmentPairs, AgreeWithAllPairs) {
