@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace lissom {
@@ -69,9 +70,8 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
     }
     const double residual = std::max(force, moment / workspace_.system().rest.mean_edge_length);
     if (!(residual > tolerance)) return changed;
-    if (!factor_->factorize(hessian_, shift, {metric_.data(), static_cast<size_t>(unknowns_)}).positive_definite) {
-      return changed;
-    }
+    const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
+    if (!factor_->factorize(hessian_, shift, metric, Indefinite::kStop).positive_definite) return changed;
     d_ = -g_;
     factor_->solve(d_, d_);
     if (!d_.allFinite()) return changed;

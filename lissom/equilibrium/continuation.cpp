@@ -20,7 +20,7 @@ class PathFollower {
         path_(path),
         options_(options),
         context_(context),
-        workspace_(problem, context, FactorKind::kLdl),
+        workspace_(problem, context),
         tolerance_(std::max(options.solve.tolerance * problem.scales.force, 2 * problem.scales.rounding)) {}
 
   PathResult run(const State& start);

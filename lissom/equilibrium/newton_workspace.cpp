@@ -5,10 +5,10 @@
 
 namespace lissom {
 
-NewtonWorkspace::NewtonWorkspace(const StaticProblem& problem, const Context& context, FactorKind kind)
+NewtonWorkspace::NewtonWorkspace(const StaticProblem& problem, const Context& context)
     : problem_(problem),
       context_(context),
-      factor_(problem.potential.pattern(), problem.supports.kept(), {.kind = kind}) {
+      factor_(problem.potential.pattern(), problem.supports.kept(), {.threads = context.threads}) {
   // Free unknowns keep the order of the layout, in which each class is one run.
   const std::span<const int> kept = problem.supports.kept();
   for (int i = 0; i < static_cast<int>(kept.size()); ++i) {
@@ -41,13 +41,13 @@ void NewtonWorkspace::gradient(const State& state, VecX& local) {
   problem_.potential.gradient(state, local, buffers_, context_.threads);
 }
 
-FactorReport NewtonWorkspace::factorize(double shift) {
-  return factorize_with(shift, std::span<const double>(metric_.data(), metric_.size()));
+FactorReport NewtonWorkspace::factorize(double shift, Indefinite indefinite) {
+  return factorize_with(shift, std::span<const double>(metric_.data(), metric_.size()), indefinite);
 }
 
-FactorReport NewtonWorkspace::factorize_with(double shift, std::span<const double> diagonal) {
+FactorReport NewtonWorkspace::factorize_with(double shift, std::span<const double> diagonal, Indefinite indefinite) {
   ++factorizations_;
-  const FactorReport report = factor_.factorize(hessian_, shift, diagonal);
+  const FactorReport report = factor_.factorize(hessian_, shift, diagonal, indefinite);
   plain_factor_ = report.positive_definite && shift == 0;
   return report;
 }

@@ -12,8 +12,7 @@ namespace lissom {
 
 class NewtonWorkspace {
  public:
-  /// Path following needs LDL', which factors indefinite matrices too.
-  NewtonWorkspace(const StaticProblem& problem, const Context& context, FactorKind kind = FactorKind::kBest);
+  NewtonWorkspace(const StaticProblem& problem, const Context& context);
 
   const StaticProblem& problem() const { return problem_; }
   const System& system() const { return *problem_.system; }
@@ -36,11 +35,12 @@ class NewtonWorkspace {
   double class_metric(DofClass c) const { return class_mean_[static_cast<size_t>(c)]; }
 
   /// Factorises the last Hessian + shift * metric.
-  FactorReport factorize(double shift);
+  FactorReport factorize(double shift, Indefinite indefinite = Indefinite::kFactorise);
   /// Whether the last factor was that of a positive definite Hessian without shift, of this or an earlier state.
   bool has_plain_factor() const { return plain_factor_; }
   /// The same with another diagonal, one entry per free unknown.
-  FactorReport factorize_with(double shift, std::span<const double> diagonal);
+  FactorReport factorize_with(double shift, std::span<const double> diagonal,
+                              Indefinite indefinite = Indefinite::kFactorise);
 
   /// y = H x for free unknowns.
   void multiply_free(const VecX& x, VecX& y);

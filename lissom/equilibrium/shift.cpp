@@ -9,31 +9,22 @@ namespace {
 
 constexpr double kSmallest = 1e-9;
 constexpr double kFirst = 1e-7;  // tried when nothing is known
-constexpr double kFall = 0.01;   // least share of the last shift that is tried next, where failing is dear
+constexpr double kGrowth = 8;    // after a failure
+constexpr double kFall = 0.01;   // least share of the last shift that is tried next
 constexpr int kSubspace = 2;
+constexpr int kSteps = 4;  // of subspace iteration
 
 }  // namespace
 
 bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
   shift_ = next_;
-  const bool knows_inertia = workspace.factor().statistics().kind == FactorKind::kLdl;
-  const double growth = knows_inertia ? 4 : 8;
   for (int attempt = 0; attempt < 40; ++attempt) {
-    const FactorReport report = workspace.factorize(shift_);
-    if (report.positive_definite) {
+    if (workspace.factorize(shift_, Indefinite::kStop).positive_definite) {
       if (shift_ > 0) worked_ = shift_;
       return true;
     }
     // What was needed last is a better guess than the smallest of all.
-    double proposal = std::max({growth * shift_, 0.1 * worked_, kFirst});
-    if (!knows_inertia && shift_ > 0) proposal = growth * shift_;
-    if (rule_ == ShiftRule::kEigenvalue && report.complete && report.negative_pivots > 0 && attempt < 3) {
-      // The factor exists though indefinite: iterating with it finds the eigenvalues next to -shift, the negative ones
-      // among them; the lowest of these tells how much is missing.
-      const double lowest = estimate_lowest(workspace, 3);
-      if (std::isfinite(lowest) && lowest < 0) proposal = std::max(proposal, -1.3 * lowest);
-    }
-    shift_ = proposal;
+    shift_ = shift_ > 0 ? kGrowth * shift_ : std::max(0.1 * worked_, kFirst);
   }
   return false;
 }
@@ -41,25 +32,21 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
 void ShiftPolicy::learn(NewtonWorkspace& workspace) {
   negative_ = 0;
   if (rule_ == ShiftRule::kRemembered) {
-    next_ = shift_ / 8 > kSmallest ? shift_ / 8 : 0;
+    next_ = shift_ / kGrowth > kSmallest ? shift_ / kGrowth : 0;
     return;
   }
   if (shift_ == 0) {
     next_ = 0;
     return;
   }
-  const double lowest = estimate_lowest(workspace, 4);
+  const double lowest = estimate_lowest(workspace);
   negative_ = std::min(lowest, 0.0);
   // With a shift far above what is needed the estimate cannot tell small eigenvalues apart: do not fall to 0 at once.
-  // Only a factor that fails without a word makes that dear: one with inertia tells the eigenvalue when it fails.
-  const bool knows_inertia = workspace.factor().statistics().kind == FactorKind::kLdl;
-  next_ = lowest < 0 ? -1.3 * lowest : 0;
-  if (knows_inertia) return;
-  next_ = std::max(next_, kFall * shift_);
+  next_ = std::max(lowest < 0 ? -1.3 * lowest : 0, kFall * shift_);
   if (next_ < kSmallest) next_ = 0;
 }
 
-double ShiftPolicy::estimate_lowest(NewtonWorkspace& workspace, int steps) {
+double ShiftPolicy::estimate_lowest(NewtonWorkspace& workspace) {
   const VecX& metric = workspace.metric();
   const int n = static_cast<int>(metric.size());
   const int k = std::min(kSubspace, n);
@@ -70,7 +57,7 @@ double ShiftPolicy::estimate_lowest(NewtonWorkspace& workspace, int steps) {
       for (int i = 0; i < n; ++i) vectors_(i, j) = std::sin(1.0 + 0.37 * i * (j + 1) + 0.11 * j) / std::sqrt(metric[i]);
     }
   }
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < kSteps; ++step) {
     for (int j = 0; j < k; ++j) {
       work_ = metric.cwiseProduct(vectors_.col(j));
       workspace.factor().solve(work_, work_);

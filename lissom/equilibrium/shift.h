@@ -26,7 +26,7 @@ class ShiftPolicy {
 
  private:
   /// Lowest eigenvalue of (H, metric) by a few steps of subspace iteration on the present factor.
-  double estimate_lowest(NewtonWorkspace& workspace, int steps);
+  double estimate_lowest(NewtonWorkspace& workspace);
 
   ShiftRule rule_;
   double shift_ = 0, next_ = 0;

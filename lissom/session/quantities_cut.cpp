@@ -82,7 +82,7 @@ Result<double> ring_stiffness(const Measurement& m) {
     local.segment<3>(s.system->layout.position(nodes[k])) = 2 / count * std::cos(angle) * radial;
   }
   s.problem->potential.to_local(local);
-  NewtonWorkspace workspace(*s.problem, m.study.context(), FactorKind::kLdl);
+  NewtonWorkspace workspace(*s.problem, m.study.context());
   workspace.assemble(s.state);
   VecX shape, answer;
   s.problem->supports.restrict(local, shape);

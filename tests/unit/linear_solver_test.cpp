@@ -16,7 +16,6 @@ namespace {
 
 using rod_matrices::Blocks;
 
-constexpr FactorKind kKinds[] = {FactorKind::kLdl, FactorKind::kCholesky, FactorKind::kBest};
 constexpr Ordering kOrderings[] = {Ordering::kAmd, Ordering::kMetis, Ordering::kBest};
 
 std::vector<int> keep_all(int n) {
@@ -88,27 +87,25 @@ TEST(LinearSolver, SolvesPositiveDefiniteMatricesLikeEigen) {
       const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> oracle(a);
       const VecX rhs = random_vector(n, 3);
       const VecX expected = oracle.solve(rhs);
-      for (const FactorKind kind : kKinds) {
-        for (const Ordering ordering : kOrderings) {
-          LinearSolver solver(p, kept, {.ordering = ordering, .kind = kind});
-          ASSERT_EQ(solver.unknowns(), n);
-          const FactorReport report = solver.factorize(v);
-          ASSERT_TRUE(report.complete && report.positive_definite);
-          EXPECT_EQ(report.negative_pivots, 0);
-          EXPECT_EQ(report.failed_at, -1);
-          VecX x;
-          solver.solve(rhs, x);
-          EXPECT_LT(backward_error(a, x, rhs), 1e-15);
-          EXPECT_LT((x - expected).norm(), 1e-10 * expected.norm());
-          VecX in_place = rhs;
-          solver.solve(in_place, in_place);
-          EXPECT_TRUE(in_place == x) << "x may be b";
-          ++checked;
-        }
+      for (const Ordering ordering : kOrderings) {
+        LinearSolver solver(p, kept, {.ordering = ordering});
+        ASSERT_EQ(solver.unknowns(), n);
+        const FactorReport report = solver.factorize(v);
+        ASSERT_TRUE(report.complete && report.positive_definite);
+        EXPECT_EQ(report.negative_pivots, 0);
+        EXPECT_EQ(report.failed_at, -1);
+        VecX x;
+        solver.solve(rhs, x);
+        EXPECT_LT(backward_error(a, x, rhs), 1e-15);
+        EXPECT_LT((x - expected).norm(), 1e-10 * expected.norm());
+        VecX in_place = rhs;
+        solver.solve(in_place, in_place);
+        EXPECT_TRUE(in_place == x) << "x may be b";
+        ++checked;
       }
     }
   }
-  EXPECT_EQ(checked, 4 * 2 * 9);
+  EXPECT_EQ(checked, 4 * 2 * 3);
 }
 
 TEST(LinearSolver, InertiaOfIndefiniteMatricesEqualsTheSignsOfEigenvalues) {
@@ -121,7 +118,7 @@ TEST(LinearSolver, InertiaOfIndefiniteMatricesEqualsTheSignsOfEigenvalues) {
       const int negative = static_cast<int>((dense.eigenvalues().array() < 0).count());
       ASSERT_GT(negative, 0);
       for (const Ordering ordering : kOrderings) {
-        LinearSolver solver(p, kept, {.ordering = ordering, .kind = FactorKind::kLdl});
+        LinearSolver solver(p, kept, {.ordering = ordering});
         const FactorReport report = solver.factorize(v);
         ASSERT_TRUE(report.complete);
         EXPECT_FALSE(report.positive_definite);
@@ -133,8 +130,7 @@ TEST(LinearSolver, InertiaOfIndefiniteMatricesEqualsTheSignsOfEigenvalues) {
         solver.solve(rhs, x);
         EXPECT_LT(backward_error(a, x, rhs), 1e-11);
 
-        LinearSolver cholesky(p, kept, {.ordering = ordering, .kind = FactorKind::kCholesky});
-        const FactorReport stopped = cholesky.factorize(v);
+        const FactorReport stopped = solver.factorize(v, 0, {}, Indefinite::kStop);
         EXPECT_FALSE(stopped.complete || stopped.positive_definite);
         EXPECT_EQ(stopped.negative_pivots, -1);
         EXPECT_EQ(stopped.failed_at, report.failed_at) << "the same first bad pivot";
@@ -155,14 +151,13 @@ TEST(LinearSolver, ShiftOnAMetricMakesTheMatrixDefinite) {
     const Eigen::SparseMatrix<double> a = reference(p, v, kept, shift, metric);
     const Eigen::SelfAdjointEigenSolver<MatX> dense(MatX(a), Eigen::EigenvaluesOnly);
     const int negative = static_cast<int>((dense.eigenvalues().array() < 0).count());
-    LinearSolver ldl(p, kept, {.kind = FactorKind::kLdl});
-    const FactorReport report = ldl.factorize(v, shift, metric);
+    LinearSolver solver(p, kept);
+    EXPECT_EQ(solver.factorize(v, shift, metric, Indefinite::kStop).complete, negative == 0);
+    const FactorReport report = solver.factorize(v, shift, metric);
     EXPECT_EQ(report.negative_pivots, negative);
-    LinearSolver cholesky(p, kept, {.kind = FactorKind::kCholesky});
-    EXPECT_EQ(cholesky.factorize(v, shift, metric).complete, negative == 0);
     const VecX rhs = random_vector(n, 9);
     VecX x;
-    ldl.solve(rhs, x);
+    solver.solve(rhs, x);
     EXPECT_LT(backward_error(a, x, rhs), 1e-12);
   }
 }
@@ -171,17 +166,18 @@ TEST(LinearSolver, RefactorizesAfterFailures) {
   const Blocks b = rod_matrices::honeycomb(4, 4, 3);
   const SparsePattern p = b.pattern();
   const std::vector<double> good = rod_matrices::values(b, p);
-  const std::vector<double> indefinite = rod_matrices::values(b, p, true);
+  const std::vector<double> indefinite_values = rod_matrices::values(b, p, true);
   const std::vector<double> zero(good.size(), 0.0);
   const std::vector<int> kept = keep_all(b.size);
   const VecX rhs = random_vector(b.size, 2);
-  for (const FactorKind kind : {FactorKind::kLdl, FactorKind::kCholesky}) {
-    LinearSolver solver(p, kept, {.kind = kind});
-    VecX first;
-    ASSERT_TRUE(solver.factorize(good).complete);
-    solver.solve(rhs, first);
-    for (const std::vector<double>* bad : {&indefinite, &zero}) {
-      EXPECT_EQ(solver.factorize(*bad).complete, bad == &indefinite && kind == FactorKind::kLdl);
+  LinearSolver solver(p, kept);
+  VecX first;
+  ASSERT_TRUE(solver.factorize(good).complete);
+  solver.solve(rhs, first);
+  for (const Indefinite indefinite : {Indefinite::kFactorise, Indefinite::kStop}) {
+    for (const std::vector<double>* bad : {&indefinite_values, &zero}) {
+      EXPECT_EQ(solver.factorize(*bad, 0, {}, indefinite).complete,
+                bad == &indefinite_values && indefinite == Indefinite::kFactorise);
       ASSERT_TRUE(solver.factorize(good).complete);
       VecX again;
       solver.solve(rhs, again);
@@ -191,23 +187,21 @@ TEST(LinearSolver, RefactorizesAfterFailures) {
 }
 
 TEST(LinearSolver, SingularMatricesAreIncompleteAndNamed) {
-  for (const FactorKind kind : kKinds) {
-    for (const double bad : {0.0, -0.0}) {
-      const std::vector<int> indices{0, 1};
-      const std::vector<int> offsets{0, 2};
-      const SparsePattern p(4, indices, offsets);  // [1 1; 1 1] and two diagonal entries
-      std::vector<double> v(p.nonzeros(), 1.0);
-      LinearSolver solver(p, keep_all(4), {.kind = kind});
-      FactorReport report = solver.factorize(v);
-      EXPECT_FALSE(report.complete || report.positive_definite);
-      EXPECT_TRUE(report.failed_at == 0 || report.failed_at == 1);
-      v[p.slot(0, 1)] = 0.5;
-      EXPECT_TRUE(solver.factorize(v).complete);
-      v[p.slot(2, 2)] = bad;
-      report = solver.factorize(v);
-      EXPECT_FALSE(report.complete);
-      EXPECT_EQ(report.failed_at, 2);
-    }
+  for (const double bad : {0.0, -0.0}) {
+    const std::vector<int> indices{0, 1};
+    const std::vector<int> offsets{0, 2};
+    const SparsePattern p(4, indices, offsets);  // [1 1; 1 1] and two diagonal entries
+    std::vector<double> v(p.nonzeros(), 1.0);
+    LinearSolver solver(p, keep_all(4));
+    FactorReport report = solver.factorize(v);
+    EXPECT_FALSE(report.complete || report.positive_definite);
+    EXPECT_TRUE(report.failed_at == 0 || report.failed_at == 1);
+    v[p.slot(0, 1)] = 0.5;
+    EXPECT_TRUE(solver.factorize(v).complete);
+    v[p.slot(2, 2)] = bad;
+    report = solver.factorize(v);
+    EXPECT_FALSE(report.complete);
+    EXPECT_EQ(report.failed_at, 2);
   }
 }
 
@@ -218,58 +212,54 @@ TEST(LinearSolver, NumbersThatAreNotFiniteEndInAReport) {
   std::vector<int> kept = keep_some(b.size, 9);
   const std::vector<double> metric(count_kept(kept), 1.0);
   const double inf = std::numeric_limits<double>::infinity();
-  for (const FactorKind kind : kKinds) {
-    LinearSolver solver(p, kept, {.kind = kind});
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), inf, -inf}) {
-      for (const int at : {p.slot(100, 100), p.column_start()[40] + 1}) {
-        std::vector<double> v = good;
-        v[at] = bad;
-        const FactorReport report = solver.factorize(v);
-        EXPECT_FALSE(report.complete || report.positive_definite);
-        EXPECT_GE(report.failed_at, 0);
-      }
-      EXPECT_FALSE(solver.factorize(good, bad, metric).complete);
+  LinearSolver solver(p, kept);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), inf, -inf}) {
+    for (const int at : {p.slot(100, 100), p.column_start()[40] + 1}) {
       std::vector<double> v = good;
-      v[p.slot(0, 0)] = bad;  // left out
-      EXPECT_TRUE(solver.factorize(v).complete);
+      v[at] = bad;
+      const FactorReport report = solver.factorize(v);
+      EXPECT_FALSE(report.complete || report.positive_definite);
+      EXPECT_GE(report.failed_at, 0);
     }
-    std::vector<double> huge = good;
-    for (double& x : huge) x *= 1e300;
-    EXPECT_TRUE(solver.factorize(good).complete);
-    const FactorReport report = solver.factorize(huge);  // overflows on the way or not; never a silent NaN
-    if (report.complete) {
-      VecX x;
-      solver.solve(VecX::Ones(solver.unknowns()), x);
-      EXPECT_TRUE(x.allFinite());
-    }
+    EXPECT_FALSE(solver.factorize(good, bad, metric).complete);
+    std::vector<double> v = good;
+    v[p.slot(0, 0)] = bad;  // left out
+    EXPECT_TRUE(solver.factorize(v).complete);
+  }
+  std::vector<double> huge = good;
+  for (double& x : huge) x *= 1e300;
+  EXPECT_TRUE(solver.factorize(good).complete);
+  const FactorReport report = solver.factorize(huge);  // overflows on the way or not; never a silent NaN
+  if (report.complete) {
+    VecX x;
+    solver.solve(VecX::Ones(solver.unknowns()), x);
+    EXPECT_TRUE(x.allFinite());
   }
 }
 
 TEST(LinearSolver, OneUnknownAndNone) {
   const SparsePattern p(3, {}, {});
   const std::vector<double> v{2.0, -4.0, 8.0};
-  for (const FactorKind kind : kKinds) {
-    LinearSolver one(p, std::vector<int>{-1, -1, 0}, {.kind = kind});
-    ASSERT_TRUE(one.factorize(v).positive_definite);
-    VecX x;
-    one.solve(VecX::Constant(1, 4.0), x);
-    EXPECT_DOUBLE_EQ(x[0], 0.5);
+  LinearSolver one(p, std::vector<int>{-1, -1, 0});
+  ASSERT_TRUE(one.factorize(v).positive_definite);
+  VecX x;
+  one.solve(VecX::Constant(1, 4.0), x);
+  EXPECT_DOUBLE_EQ(x[0], 0.5);
 
-    LinearSolver none(p, std::vector<int>{-1, -1, -1}, {.kind = kind});
-    EXPECT_EQ(none.unknowns(), 0);
-    const FactorReport report = none.factorize(v);
-    EXPECT_TRUE(report.complete && report.positive_definite);
-    none.solve(VecX(), x);
-    EXPECT_EQ(x.size(), 0);
-    MatX many;
-    none.solve_many(MatX(0, 3), many);
-    EXPECT_EQ(many.cols(), 3);
-  }
-  LinearSolver negative(p, std::vector<int>{-1, 0, -1}, {.kind = FactorKind::kLdl});
-  const FactorReport report = negative.factorize(v);
-  EXPECT_TRUE(report.complete);
-  EXPECT_EQ(report.negative_pivots, 1);
-  EXPECT_EQ(report.failed_at, 1);
+  LinearSolver none(p, std::vector<int>{-1, -1, -1});
+  EXPECT_EQ(none.unknowns(), 0);
+  const FactorReport report = none.factorize(v);
+  EXPECT_TRUE(report.complete && report.positive_definite);
+  none.solve(VecX(), x);
+  EXPECT_EQ(x.size(), 0);
+  MatX many;
+  none.solve_many(MatX(0, 3), many);
+  EXPECT_EQ(many.cols(), 3);
+  LinearSolver negative(p, std::vector<int>{-1, 0, -1});
+  const FactorReport below_zero = negative.factorize(v);
+  EXPECT_TRUE(below_zero.complete);
+  EXPECT_EQ(below_zero.negative_pivots, 1);
+  EXPECT_EQ(below_zero.failed_at, 1);
 }
 
 TEST(LinearSolver, ResultDoesNotDependOnTheNumbering) {
@@ -277,7 +267,7 @@ TEST(LinearSolver, ResultDoesNotDependOnTheNumbering) {
   const SparsePattern p = b.pattern();
   const std::vector<double> v = rod_matrices::values(b, p, true);
   const VecX rhs = random_vector(b.size, 4);
-  LinearSolver solver(p, keep_all(b.size), {.kind = FactorKind::kLdl});
+  LinearSolver solver(p, keep_all(b.size));
   const int negative = solver.factorize(v).negative_pivots;
   VecX x;
   solver.solve(rhs, x);
@@ -297,7 +287,7 @@ TEST(LinearSolver, ResultDoesNotDependOnTheNumbering) {
       right[to[j]] = rhs[j];
       for (int s = p.column_start()[j]; s < p.column_start()[j + 1]; ++s) w[q.slot(to[p.row()[s]], to[j])] = v[s];
     }
-    LinearSolver other(q, keep_all(b.size), {.kind = FactorKind::kLdl});
+    LinearSolver other(q, keep_all(b.size));
     EXPECT_EQ(other.factorize(w).negative_pivots, negative);
     VecX y;
     other.solve(right, y);
@@ -311,24 +301,22 @@ TEST(LinearSolver, ManyRightHandSidesEqualSingleOnes) {
   const Blocks b = rod_matrices::honeycomb(5, 5, 3);
   const SparsePattern p = b.pattern();
   const std::vector<double> v = rod_matrices::values(b, p);
-  for (const FactorKind kind : {FactorKind::kLdl, FactorKind::kCholesky}) {
-    LinearSolver solver(p, keep_all(b.size), {.kind = kind});
-    ASSERT_TRUE(solver.factorize(v).complete);
-    for (const int columns : {0, 1, 3, 32, 71}) {
-      MatX rhs(b.size, columns);
-      for (int c = 0; c < columns; ++c) rhs.col(c) = random_vector(b.size, 20 + c);
-      MatX x;
-      solver.solve_many(rhs, x);
-      ASSERT_EQ(x.cols(), columns);
-      for (int c = 0; c < columns; ++c) {
-        VecX single;
-        solver.solve(rhs.col(c), single);
-        EXPECT_LT((x.col(c) - single).norm(), 1e-12 * single.norm());
-      }
-      MatX in_place = rhs;
-      solver.solve_many(in_place, in_place);
-      EXPECT_TRUE(in_place == x);
+  LinearSolver solver(p, keep_all(b.size));
+  ASSERT_TRUE(solver.factorize(v).complete);
+  for (const int columns : {0, 1, 3, 32, 71}) {
+    MatX rhs(b.size, columns);
+    for (int c = 0; c < columns; ++c) rhs.col(c) = random_vector(b.size, 20 + c);
+    MatX x;
+    solver.solve_many(rhs, x);
+    ASSERT_EQ(x.cols(), columns);
+    for (int c = 0; c < columns; ++c) {
+      VecX single;
+      solver.solve(rhs.col(c), single);
+      EXPECT_LT((x.col(c) - single).norm(), 1e-12 * single.norm());
     }
+    MatX in_place = rhs;
+    solver.solve_many(in_place, in_place);
+    EXPECT_TRUE(in_place == x);
   }
 }
 
@@ -337,9 +325,7 @@ TEST(LinearSolver, SolversInSeveralThreadsAgreeToTheLastBit) {
   const SparsePattern p = b.pattern();
   const std::vector<double> v = rod_matrices::values(b, p);
   const VecX rhs = random_vector(b.size, 6);
-  for (const LinearSolverOptions options :
-       {LinearSolverOptions{.kind = FactorKind::kLdl},
-        LinearSolverOptions{.ordering = Ordering::kMetis, .kind = FactorKind::kCholesky}}) {
+  for (const LinearSolverOptions options : {LinearSolverOptions{}, LinearSolverOptions{.ordering = Ordering::kMetis}}) {
     std::vector<VecX> x(4);
     std::vector<std::thread> threads;
     for (VecX& result : x) {
@@ -378,10 +364,8 @@ TEST(LinearSolver, StatisticsNameWhatWasChosen) {
     return LinearSolver(p, keep_all(b.size), options).statistics();
   };
   const Blocks rods = rod_matrices::chain(300);
-  EXPECT_EQ(statistics(rods, {}).kind, FactorKind::kLdl);
   EXPECT_EQ(statistics(rods, {}).ordering, Ordering::kAmd);
   const Blocks sheet = rod_matrices::membrane(80, 80);
-  EXPECT_EQ(statistics(sheet, {}).kind, FactorKind::kCholesky);
   const double amd = statistics(sheet, {.ordering = Ordering::kAmd}).factor_flops;
   const double metis = statistics(sheet, {.ordering = Ordering::kMetis}).factor_flops;
   EXPECT_LT(metis, amd);
@@ -398,7 +382,7 @@ TEST(LinearSolver, NothingIsAllocatedAfterTheFirstFactorizationAndSolve) {
     const std::vector<double> indefinite = rod_matrices::values(b, p, true);
     const std::vector<int> kept = keep_some(b.size, 50);
     const std::vector<double> metric(count_kept(kept), 1.0);
-    LinearSolver solver(p, kept, {.kind = FactorKind::kLdl});
+    LinearSolver solver(p, kept);
     const VecX rhs = random_vector(solver.unknowns(), 1);
     VecX x;
     const MatX many = rhs.replicate(1, 47);
