@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lissom/design/carry_over.h"
+#include "lissom/equilibrium/rigid_drift.h"
 
 namespace lissom {
 
@@ -116,7 +117,9 @@ Result<DesignChange> LiveDesign::remesh(const Model& changed, std::string reason
   equilibrium_ = solver_->settle(start, start.load_factor);
   DesignChange change{true, std::move(reason), {}};
   const int nodes = system_.layout.nodes();
-  change.following.moved = (equilibrium_.state.q - start.q).head(3 * nodes).norm() / std::sqrt(nodes);
+  State laid = start;
+  lay_down(*problem_, laid);
+  change.following.moved = (equilibrium_.state.q - laid.q).head(3 * nodes).norm() / std::sqrt(nodes);
   return change;
 }
 

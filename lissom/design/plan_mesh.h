@@ -11,8 +11,8 @@ namespace lissom {
 
 /// From when on a mesh no longer fits.
 struct MeshLimits {
-  double angle_ratio = 0.5;   ///< smallest angle of a triangle over what it was when the mesh was made
-  double length_ratio = 1.5;  ///< length of a rod edge over what it was, or the other way round
+  double angle_ratio = 0.6;   ///< smallest angle of a triangle over what it was when the mesh was made
+  double length_ratio = 1.3;  ///< length of a rod edge over what it was, or the other way round
   double turn_ratio = 1.5;    ///< turn of a rod from edge to edge over what the plan allows
 };
 

@@ -164,8 +164,13 @@ struct MembraneStretch {
       crushed = find_crushed(f11 * f22 - f12 * f12);
     }
 
+    bool find_crushed(const T& squared_area) requires(!std::is_same_v<T, Pack>) {
+      if (!(squared_area < T(SheetCrush<T>::kBegin))) return false;
+      crush = SheetCrush<T>::of(c, squared_area);
+      return true;
+    }
     /// Hardly ever any: lane by lane.
-    bool find_crushed(const Pack& squared_area) {
+    bool find_crushed(const T& squared_area) requires std::is_same_v<T, Pack> {
       bool any = false;
       for (int l = 0; l < kLanes; ++l) any = any || squared_area[l] < SheetCrush<double>::kBegin;
       if (!any) return false;

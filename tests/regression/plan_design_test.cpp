@@ -47,6 +47,14 @@ Model ring_with_rods(double edge_length = 5e-3) {
   return model;
 }
 
+Model fabric_scene(const std::string& name) {
+  const Result<std::string> text = read_file("scenes/data/fabric/" + name + ".lissom");
+  EXPECT_TRUE(text.ok()) << text.error().text();
+  Result<Model> model = read_document(text.value());
+  EXPECT_TRUE(model.ok()) << model.error().text();
+  return std::move(model).value();
+}
+
 Support pin(const char* point) {
   Support support;
   support.kind = SupportKind::kPin;
@@ -88,6 +96,23 @@ VecX without_rigid_motion(const State& state, int nodes, VecX field) {
   return field - rigid * qr.solve(field);
 }
 
+/// A few more Newton steps: a solve ends where forces are rounding, which is not yet where soft shapes stand still.
+State polished(const StaticProblem& problem, State state) {
+  const Context context;
+  NewtonWorkspace workspace(problem, context);
+  VecX free, increment;
+  State moved;
+  for (int k = 0; k < 4; ++k) {
+    workspace.assemble(state);
+    EXPECT_TRUE(workspace.factorize(0).positive_definite);
+    workspace.factor().solve(-workspace.free_gradient(), free);
+    workspace.to_increment(free, increment);
+    EXPECT_TRUE(advance(*problem.system, state, increment, moved));
+    std::swap(state, moved);
+  }
+  return state;
+}
+
 /// Positions of nodes in the equilibrium of another plan on the mesh of `design`, followed from its own.
 VecX followed(const LiveDesign& design, const Model& changed, double tolerance) {
   const Result<ExpandedPlan> plan = design.mesh().moved_to(changed);
@@ -103,7 +128,7 @@ VecX followed(const LiveDesign& design, const Model& changed, double tolerance) 
   LiveSolver solver(problem.value(), options);
   const Equilibrium found = solver.resettle(design.equilibrium().state);
   EXPECT_EQ(found.verdict, Verdict::kStable) << found.message;
-  return found.state.q.head(3 * system.value().layout.nodes());
+  return polished(problem.value(), found.state).q.head(3 * system.value().layout.nodes());
 }
 
 /// dq/dp of one parameter from equilibria solved again on the same mesh: central differences, extrapolated once.
@@ -136,7 +161,7 @@ void compare_sensitivities(const Model& model, const PlanSpaceOptions& choice, c
   const Result<PlanSpace> space = PlanSpace::make(model, choice);
   ASSERT_TRUE(space.ok()) << space.error().text();
   const std::unique_ptr<LiveDesign> design = open(model, kTight);
-  const State& state = design->equilibrium().state;
+  const State state = polished(design->problem(), design->equilibrium().state);
   const Context context;
   NewtonWorkspace workspace(design->problem(), context);
   workspace.assemble(state);
@@ -235,13 +260,15 @@ TEST(PlanDesign, ParametersHaveNamesAndBounds) {
 
 /// A control point dragged a long way: the mesh is made anew when it must be, and the shape does not jump there.
 TEST(PlanDesign, ADraggedPointIsFollowedAcrossRemeshing) {
-  const std::unique_ptr<LiveDesign> design = open(ring_with_rods(3e-3));
-  const Vec2 step(-0.6e-3, 0.3e-3);
+  Model crossed = fabric_scene("disc-crossed");
+  crossed.plan->edge_length = 3e-3;
+  const std::unique_ptr<LiveDesign> design = open(crossed);
+  const Vec2 step(-0.75e-3, 0.4e-3);
   int remeshed = 0;
   double before = height(*design);
   for (int k = 0; k < 60; ++k) {
     Model model = design->model();
-    model.plan->points[4].at += step;
+    model.plan->points.back().at += step;
     const Result<DesignChange> change = design->change(model);
     ASSERT_TRUE(change.ok()) << k << ": " << change.error().text();
     ASSERT_EQ(design->equilibrium().verdict, Verdict::kStable) << k << ": " << design->equilibrium().message;
