@@ -72,18 +72,15 @@ Equilibrium LiveSolver::resettle(const State& before) {
   if (!held.isZero(0) && !advance(system, before, held, result.state)) {
     return finish(std::move(result), Verdict::kBadStart);
   }
-  escapes_ = 0;
   result = descend(std::move(result), FirstStep::kFactorAtHand);
-  const int nodes = system.layout.nodes();
   following_.predicted = minimizer_ ? minimizer_->predicted_move() : 0;
-  following_.moved = (result.state.q - before.q).head(3 * nodes).norm() / std::sqrt(nodes);
-  following_.jumped =
-      escapes_ > 0 || following_.moved > kFarFromPrediction * following_.predicted + kNoticed * problem_.scales.length;
+  const double expected = kFarFromPrediction * following_.predicted + kNoticed * problem_.scales.length;
+  following_.jumped = following_.jumped || following_.moved > expected;
   return result;
 }
 
 Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
-  const bool cold = first == FirstStep::kNewton;
+  const VecX before = result.state.q;
   for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
     const int left = std::max(options_.max_iterations - result.iterations, 0);
     const Descent descent = minimizer_
@@ -93,7 +90,10 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     result.residual = descent.residual;
     if (descent.verdict != Verdict::kStable) return finish(std::move(result), descent.verdict);
 
-    if (cold && !problem_.system->structure.triangles.empty()) {
+    const int nodes = problem_.system->layout.nodes();
+    following_.moved = (result.state.q - before).head(3 * nodes).norm() / std::sqrt(nodes);
+    following_.jumped = escapes > 0;
+    if (!problem_.system->structure.triangles.empty()) {
       // Before the last factorisation: it has to be that of the state which is handed out.
       lay_down(problem_, result.state);
       workspace_.assemble(result.state);
@@ -110,7 +110,6 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
     if (!leave || !escape(workspace_, options_.path, result.state, stability.modes.front().shape)) {
       return finish(std::move(result), Verdict::kUnstable);
     }
-    ++escapes_;
   }
 }
 

@@ -51,7 +51,6 @@ class LiveSolver {
   std::optional<Minimizer> minimizer_;
   Following following_;
   int factorizations_before_ = 0;
-  int escapes_ = 0;  // unstable equilibria left on the way
 };
 
 }  // namespace lissom
