@@ -9,6 +9,7 @@ namespace lissom {
 
 namespace {
 
+constexpr double kLeastShift = 1e-6, kMostShift = 1, kShiftGrowth = 16, kShiftFall = 64;
 constexpr double kMostTurn = 0.5;  // rad, of a roll or joint rotation in one step
 constexpr double kEnergyNoise = 1e-13;
 
@@ -54,9 +55,10 @@ void BlockRelaxer::renew_terms() {
   if (potential_) potential_->replace_terms(touching_terms());
 }
 
-bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance) {
+bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance, Crumpled crumpled) {
   if (!useful()) return false;
   bool changed = false;
+  double added = 0;  // to the shift, where the matrix needed it
   const DofLayout& layout = workspace_.system().layout;
   for (int k = 0; k < steps; ++k) {
     potential_->hessian(state, gradient_, hessian_, buffers_, workspace_.context().threads);
@@ -71,7 +73,12 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
     const double residual = std::max(force, moment / workspace_.system().rest.mean_edge_length);
     if (!(residual > tolerance)) return changed;
     const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
-    if (!factor_->factorize(hessian_, shift, metric, Indefinite::kStop).positive_definite) return changed;
+    added = added > kLeastShift ? added / kShiftFall : 0;
+    while (!factor_->factorize(hessian_, shift + added, metric, Indefinite::kStop).positive_definite) {
+      if (crumpled == Crumpled::kLeave) return changed;
+      added = std::max(kShiftGrowth * added, kLeastShift);
+      if (added > kMostShift) return changed;
+    }
     d_ = -g_;
     factor_->solve(d_, d_);
     if (!d_.allFinite()) return changed;

@@ -12,6 +12,9 @@
 
 namespace lissom {
 
+/// What to do where the part by itself is not stable.
+enum class Crumpled { kLeave, kMend };
+
 class BlockRelaxer {
  public:
   /// `takes_part[i]`: unknown i (local axes) is relaxed if it `can_move` too.
@@ -23,9 +26,10 @@ class BlockRelaxer {
   /// To be called when the terms of the whole potential were replaced.
   void renew_terms();
 
-  /// At most `steps` Newton steps with H + shift * metric, none of which raises the energy. Stops early where the small
-  /// matrix is not positive definite or the residual is below `tolerance` (N). False when nothing was changed.
-  bool relax(State& state, int steps, double shift, double tolerance);
+  /// At most `steps` Newton steps with H + shift * metric, none of which raises the energy. Stops early where the residual
+  /// is below `tolerance` (N), and where the small matrix is not positive definite unless that is to be mended by larger
+  /// shifts. False when nothing was changed.
+  bool relax(State& state, int steps, double shift, double tolerance, Crumpled crumpled = Crumpled::kLeave);
 
  private:
   bool descend(State& state, double slope);

@@ -58,7 +58,7 @@ LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_
   if (unknowns > 0) solver_.emplace(pattern, kept_);
 }
 
-bool LengthFit::mend(const State& state, double a, const VecX& d, VecX& increment) {
+bool LengthFit::mend(const State& state, double a, const VecX& d, std::span<const double> arrival, VecX& increment) {
   if (!solver_) return true;
   const System& system = *problem_.system;
   const auto edge_of = [&](const VecX& q, int e) -> Vec3 {
@@ -68,7 +68,8 @@ bool LengthFit::mend(const State& state, double a, const VecX& d, VecX& incremen
   for (int e = 0; e < system.edge_count(); ++e) {
     const EdgeState& now = state.edges[e];
     const double rest = system.rest.edges[e].length, strain = now.length / rest - 1;
-    target_[e] = strain + std::clamp(a * now.t.dot(edge_of(d, e)) / rest, -kMostStrain, kMostStrain);
+    target_[e] = arrival.empty() ? strain + std::clamp(a * now.t.dot(edge_of(d, e)) / rest, -kMostStrain, kMostStrain)
+                                 : strain + a * (arrival[e] - strain);
     trial_[e] = now.length * now.t + edge_of(increment, e);
   }
   mended_.setZero(increment.size());  // on top of the trial, global axes

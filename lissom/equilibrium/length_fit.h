@@ -3,6 +3,7 @@
 /// Gauss-Newton on sum 1/(2 l) |e - e'|^2 + kappa l / 2 (eps - eps*)^2 [convergence 4, R]. Membranes follow.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lissom/core/linear_solver.h"
@@ -17,8 +18,10 @@ class LengthFit {
   LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move);
 
   /// Corrects `increment`, the straight trial a d or one with a second-order part, of the step d from `state` (global
-  /// axes). False when the trial cannot be mended.
-  [[nodiscard]] bool mend(const State& state, double a, const VecX& d, VecX& increment);
+  /// axes). `arrival`: axial strain of each edge at the end of the step; empty: what d brings about to first order. False
+  /// when the trial cannot be mended.
+  [[nodiscard]] bool mend(const State& state, double a, const VecX& d, std::span<const double> arrival,
+                          VecX& increment);
 
  private:
   const StaticProblem& problem_;

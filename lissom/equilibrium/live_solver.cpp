@@ -39,7 +39,14 @@ Equilibrium LiveSolver::finish(Equilibrium result, Verdict verdict) {
   result.verdict = verdict;
   result.factorizations = workspace_.factorizations() - factorizations_before_;
   describe(problem_, workspace_, result);
+  remember_strains(result.state);
   return result;
+}
+
+void LiveSolver::remember_strains(const State& state) {
+  strains_.clear();
+  const std::vector<EdgeRest>& rest = problem_.system->rest.edges;
+  for (std::size_t e = 0; e < rest.size(); ++e) strains_.push_back(state.edges[e].length / rest[e].length - 1);
 }
 
 Equilibrium LiveSolver::settle(const State& start, double load_factor) {
@@ -84,7 +91,7 @@ Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
   for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
     const int left = std::max(options_.max_iterations - result.iterations, 0);
     const Descent descent = minimizer_
-                                ? minimizer_->run(result.state, result.tolerance, left, result.records, first)
+                                ? minimizer_->run(result.state, result.tolerance, left, result.records, first, strains_)
                                 : find_root(workspace_, result.state, result.tolerance, options_, left, result.records);
     result.iterations += descent.iterations;
     result.residual = descent.residual;

@@ -3,6 +3,7 @@
 /// that a structure whose numbers change a little settles in a few hundredths of a second [convergence 5].
 
 #include <optional>
+#include <vector>
 
 #include "lissom/core/context.h"
 #include "lissom/equilibrium/equilibrium.h"
@@ -42,6 +43,7 @@ class LiveSolver {
  private:
   double tolerance() const;
   Equilibrium descend(Equilibrium result, FirstStep first);
+  void remember_strains(const State& state);
   Equilibrium finish(Equilibrium result, Verdict verdict);
 
   const StaticProblem& problem_;
@@ -50,6 +52,7 @@ class LiveSolver {
   NewtonWorkspace workspace_;
   std::optional<Minimizer> minimizer_;
   Following following_;
+  std::vector<double> strains_;  // axial, of the edges in the last equilibrium
   int factorizations_before_ = 0;
 };
 

@@ -20,7 +20,7 @@ constexpr double kSmallestStep = 1e-7;
 constexpr int kFirstRelaxation = 8;
 constexpr double kCgTolerance = 1e-2;  // of a step by conjugate gradients, in the norm of the preconditioner
 constexpr int kCgIterations = 16;      // cost about as much as one factorisation
-constexpr int kMostChords = 2;         // steps in a run that take the old factor for the present one
+constexpr int kMostChords = 4;         // steps in a run that take the old factor for the present one
 constexpr double kCrawl = 0.01;        // rad; steps this small along a shifted Hessian end in a saddle point
 constexpr int kMostCrawling = 3;       // of them in a row before it is left
 constexpr double kReuseGain = 0.3;     // forces have to fall to this share in a step without a factor of its own
@@ -50,7 +50,8 @@ void Minimizer::renew_terms() {
 double Minimizer::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
   if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
-  if (rods_) rods_->relax(trial_, predicted_ ? kFirstRelaxation : 2, shift(), tolerance_);
+  if (rods_ && predicted_) rods_->relax(trial_, kFirstRelaxation, 0, tolerance_, Crumpled::kMend);
+  if (rods_ && !predicted_) rods_->relax(trial_, 2, shift(), tolerance_);
   const double v = workspace_.energy(trial_);
   return std::isfinite(v) ? v : INFINITY;
 }
@@ -141,7 +142,7 @@ void Minimizer::leave_saddle() {
 }
 
 Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
-                       FirstStep first) {
+                       FirstStep first, std::span<const double> arrival) {
   Descent result;
   state_ = &state;
   crawling_ = chords_ = 0;
@@ -194,7 +195,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
       predicted_move_ = step_.head(3 * nodes).norm() / std::sqrt(nodes);
     }
     const double reach = step_reach(workspace_.system(), *state_, step_, options_);
-    path_.begin(*state_, step_, reach, own_factor_);
+    path_.begin(*state_, step_, reach, own_factor_, predicted_ ? arrival : std::span<const double>());
     const bool moved = line_search(slope, curvature, reach);
     if (!moved) {
       // Near the end energies no longer tell steps apart: the full Newton step counts if it lowers the forces.

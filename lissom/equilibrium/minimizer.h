@@ -2,6 +2,7 @@
 /// Energy minimisation by Newton's method with exact Hessians [mathematics 4; convergence 4].
 
 #include <optional>
+#include <span>
 
 #include "lissom/equilibrium/block_relaxation.h"
 #include "lissom/equilibrium/conjugate_gradients.h"
@@ -31,9 +32,11 @@ class Minimizer {
  public:
   Minimizer(NewtonWorkspace& workspace, const SolveOptions& options);
 
-  /// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N).
+  /// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N). `arrival`: axial strains
+  /// of the edges where a prediction is expected to end, those of the equilibrium before the change: the prediction itself
+  /// knows them to first order in the new rest lengths only, which for stiff rods is not enough.
   Descent run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
-              FirstStep first = FirstStep::kNewton);
+              FirstStep first = FirstStep::kNewton, std::span<const double> arrival = {});
 
   /// To be called when the terms of the potential were replaced.
   void renew_terms();

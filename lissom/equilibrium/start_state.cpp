@@ -104,7 +104,7 @@ State start_state(const StaticProblem& problem, const Pose& pose) {
     LengthFit fit(problem, drift.can_move());
     const VecX still = VecX::Zero(dq.size());
     VecX mended = dq;
-    if (fit.mend(state, 1, still, mended)) dq = mended;
+    if (fit.mend(state, 1, still, {}, mended)) dq = mended;
   }
   State seeded;
   return advance(system, state, dq, seeded) ? seeded : state;

@@ -20,8 +20,10 @@ StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path)
   }
 }
 
-void StepPathPolicy::begin(const State& state, const VecX& d, double reach, bool own_factor) {
+void StepPathPolicy::begin(const State& state, const VecX& d, double reach, bool own_factor,
+                           std::span<const double> arrival) {
   state_ = &state;
+  arrival_ = arrival;
   d_ = d;
   has_p_ = false;
   if (own_factor && (path_ == StepPath::kSecondOrder || path_ == StepPath::kSecondOrderRotating)) second_order(reach);
@@ -61,7 +63,7 @@ bool StepPathPolicy::at(double a, State& trial) {
   if (has_p_) increment_ += a * a * p_;
   // Positions closest to edges that turn at their length: min sum (1 / l) |x1 - x0 - wanted|^2.
   if (fit_ && !rotate(a, increment_)) return false;
-  if (length_fit_ && !length_fit_->mend(*state_, a, d_, increment_)) return false;
+  if (length_fit_ && !length_fit_->mend(*state_, a, d_, arrival_, increment_)) return false;
   return advance(workspace_.system(), *state_, increment_, trial, workspace_.context().threads);
 }
 

@@ -3,6 +3,7 @@
 /// are so stiff in stretch that only tiny steps survive; these paths keep lengths to second order or to all orders.
 
 #include <optional>
+#include <span>
 
 #include "lissom/equilibrium/edge_laplacian.h"
 #include "lissom/equilibrium/length_fit.h"
@@ -20,8 +21,9 @@ class StepPathPolicy {
   const RigidDrift& drift() const { return drift_; }
 
   /// Prepares the path of step d (global axes) from `state`. `reach` is the largest fraction that will be tried. A second
-  /// order needs the factor in the workspace to be the one that gave d.
-  void begin(const State& state, const VecX& d, double reach, bool own_factor = true);
+  /// order needs the factor in the workspace to be the one that gave d. `arrival`: see LengthFit; has to outlive the step.
+  void begin(const State& state, const VecX& d, double reach, bool own_factor = true,
+             std::span<const double> arrival = {});
 
   /// State at fraction a; false when it cannot be had.
   [[nodiscard]] bool at(double a, State& trial);
@@ -34,6 +36,7 @@ class StepPathPolicy {
   StepPath path_;
   RigidDrift drift_;
   const State* state_ = nullptr;
+  std::span<const double> arrival_;
   VecX d_, p_, increment_;
   bool has_p_ = false;
   VecX forward_, backward_, free_;

@@ -246,7 +246,7 @@ State random_start(const Framed& framed, std::mt19937& random) {
   VecX mended = dq;
   const VecX still = VecX::Zero(dq.size());
   State start;
-  EXPECT_TRUE(fit.mend(drawn, 1, still, mended));
+  EXPECT_TRUE(fit.mend(drawn, 1, still, {}, mended));
   EXPECT_TRUE(advance(*framed.system, drawn, mended, start));
   return start;
 }
