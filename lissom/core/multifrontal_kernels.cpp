@@ -13,9 +13,11 @@ namespace {
 constexpr int kGroup = kPad;
 constexpr int kTileRows = 3 * kLanes;
 /// Columns after which the rest of a panel is updated.
-constexpr int kBlock = 64;
+constexpr int kBlock = 128;
 /// Columns of L that go into an update at a time: a tile of them stays in the first cache.
 constexpr int kDepth = 128;
+/// Columns of an update from which a tile of L is copied to one place first: its own columns lie on a page each.
+constexpr int kWorthCopying = 128;
 static_assert(kGroup == 4 && kGroup % kLanes == 0);
 
 /// c (-)= a b' for kVectors packets of rows and kColumns columns: a by columns, b in groups of kGroup values.
@@ -133,18 +135,28 @@ void update_triangle(const Panel& panel, const double* scaled, int block, int de
   const std::ptrdiff_t stride_b = static_cast<std::ptrdiff_t>(kGroup) * panel.pivots;
   const double* b = scaled + row / kGroup * stride_b + block * kGroup;
   const int rows = panel.stride - row;
+  double copy[kTileRows * kDepth];
   for (int r = 0; r < rows;) {
     const int height = std::min(kTileRows, rows - r);
     const int end = std::min(r + height, columns);
+    const double* rows_of_a = a + r;
+    std::ptrdiff_t stride_a = stride;
+    if (end >= kWorthCopying) {
+      for (int k = 0; k < depth; ++k) {
+        for (int v = 0; v < height; v += kLanes) store(copy + k * kTileRows + v, load(a + k * stride + r + v));
+      }
+      rows_of_a = copy;
+      stride_a = kTileRows;
+    }
     for (int j = 0; j < end; j += kGroup) {
       const double* bj = b + j / kGroup * stride_b;
       double* cj = c + j * stride_c + r;
       if (height == kTileRows) {
-        tile<3, kGroup, kAccumulate>(a + r, stride, bj, depth, cj, stride_c);
+        tile<3, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       } else if (height == 2 * kLanes) {
-        tile<2, kGroup, kAccumulate>(a + r, stride, bj, depth, cj, stride_c);
+        tile<2, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       } else {
-        tile<1, kGroup, kAccumulate>(a + r, stride, bj, depth, cj, stride_c);
+        tile<1, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       }
     }
     r += height;
