@@ -15,10 +15,11 @@ namespace lissom {
 
 namespace {
 
-/// Operations per unknown with AMD below which METIS is not asked: it takes 3 to 10 us per unknown, and gains nothing
-/// on rod networks (8,000 operations per unknown at 430k unknowns: 375 ms against 357 for a factorisation) nor on small
-/// membranes.
-constexpr double kMetisWorthFlopsPerUnknown = 10000;
+/// Operations per unknown with AMD below which METIS is not asked: it takes 2 to 5 us per unknown, four times as long as
+/// AMD, and gains a tenth of a factorisation at most on rod networks (8,000 operations per unknown at 430k unknowns: 105
+/// ms against 117) and on regular membranes (15,000 at 19k unknowns: 11.7 ms against 12.8). What it is for are irregular
+/// membranes, where AMD can need four times its operations.
+constexpr double kMetisWorthFlopsPerUnknown = 20000;
 
 /// An order of elimination, and what it costs.
 struct Ordered {

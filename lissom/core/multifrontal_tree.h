@@ -23,7 +23,8 @@ struct AssemblyTree {
   int fronts() const { return static_cast<int>(parent.size()); }
 };
 
-/// For a matrix in a postorder of its elimination tree. `column_counts` are those of its factor, diagonal included.
+/// For a matrix in its order of elimination, a postorder of its elimination tree at best, so that supernodes stand
+/// together. `column_counts` are those of its factor, diagonal included.
 AssemblyTree assembly_tree(const Triangle& upper, std::span<const int> column_counts);
 
 /// s, for assembling a front, eliminating its pivots, and adding its update to the parent.

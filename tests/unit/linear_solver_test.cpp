@@ -365,7 +365,7 @@ TEST(LinearSolver, StatisticsNameWhatWasChosen) {
   };
   const Blocks rods = rod_matrices::chain(300);
   EXPECT_EQ(statistics(rods, {}).ordering, Ordering::kAmd);
-  const Blocks sheet = rod_matrices::membrane(80, 80);
+  const Blocks sheet = rod_matrices::membrane(120, 120);
   const double amd = statistics(sheet, {.ordering = Ordering::kAmd}).factor_flops;
   const double metis = statistics(sheet, {.ordering = Ordering::kMetis}).factor_flops;
   EXPECT_LT(metis, amd);

@@ -254,7 +254,7 @@ TEST(Multifrontal, UpdateMatricesThatAreAliveDoNotOverlap) {
   const rod_matrices::Blocks blocks = rod_matrices::honeycomb(12, 12, 4);
   const SparsePattern p = blocks.pattern();
   const multifrontal::Triangle lower = multifrontal::kept_part(p, keep_all(p.size()));
-  // A chain of unknowns in their own order: every column has a front of its own, or joins its parent.
+  // In the order of the unknowns themselves, with the columns of the factor as their children hand them on.
   std::vector<int> order = keep_all(p.size()), counts(p.size());
   std::vector<std::vector<int>> columns(p.size());
   for (int j = 0; j < p.size(); ++j) {
