@@ -20,50 +20,50 @@ constexpr int kDepth = 128;
 constexpr int kWorthCopying = 128;
 static_assert(kGroup == 4 && kGroup % kLanes == 0);
 
-/// c (-)= a b' for kVectors packets of rows and kColumns columns: a by columns, b in groups of kGroup values.
-template <int kVectors, int kColumns, bool kAccumulate>
+/// c (-)= a b' for Vectors packets of rows and Columns columns: a by columns, b in groups of kGroup values.
+template <int Vectors, int Columns, bool Accumulate>
 inline void tile(const double* a, std::ptrdiff_t stride_a, const double* b, int depth, double* c,
                  std::ptrdiff_t stride_c) {
-  Packet sum[kColumns][kVectors];
-  for (int j = 0; j < kColumns; ++j) {
-    for (int v = 0; v < kVectors; ++v) sum[j][v] = all(0);
+  Packet sum[Columns][Vectors];
+  for (int j = 0; j < Columns; ++j) {
+    for (int v = 0; v < Vectors; ++v) sum[j][v] = all(0);
   }
   for (int k = 0; k < depth; ++k, a += stride_a, b += kGroup) {
-    Packet column[kVectors];
-    for (int v = 0; v < kVectors; ++v) column[v] = load(a + v * kLanes);
-    for (int j = 0; j < kColumns; ++j) {
+    Packet column[Vectors];
+    for (int v = 0; v < Vectors; ++v) column[v] = load(a + v * kLanes);
+    for (int j = 0; j < Columns; ++j) {
       const Packet factor = all(b[j]);
-      for (int v = 0; v < kVectors; ++v) sum[j][v] = multiply_add(column[v], factor, sum[j][v]);
+      for (int v = 0; v < Vectors; ++v) sum[j][v] = multiply_add(column[v], factor, sum[j][v]);
     }
   }
-  for (int j = 0; j < kColumns; ++j) {
-    for (int v = 0; v < kVectors; ++v) {
+  for (int j = 0; j < Columns; ++j) {
+    for (int v = 0; v < Vectors; ++v) {
       double* to = c + j * stride_c + v * kLanes;
-      store(to, kAccumulate ? subtract(load(to), sum[j][v]) : negative(sum[j][v]));
+      store(to, Accumulate ? subtract(load(to), sum[j][v]) : negative(sum[j][v]));
     }
   }
 }
 
 /// The same for any number of rows, a multiple of kLanes.
-template <int kColumns>
+template <int Columns>
 void update_columns(const double* a, std::ptrdiff_t stride_a, const double* b, int depth, double* c,
                     std::ptrdiff_t stride_c, int rows) {
   int r = 0;
   for (; r + kTileRows <= rows; r += kTileRows) {
-    tile<3, kColumns, true>(a + r, stride_a, b, depth, c + r, stride_c);
+    tile<3, Columns, true>(a + r, stride_a, b, depth, c + r, stride_c);
   }
   if (r + 2 * kLanes <= rows) {
-    tile<2, kColumns, true>(a + r, stride_a, b, depth, c + r, stride_c);
+    tile<2, Columns, true>(a + r, stride_a, b, depth, c + r, stride_c);
     r += 2 * kLanes;
   }
-  if (r < rows) tile<1, kColumns, true>(a + r, stride_a, b, depth, c + r, stride_c);
+  if (r < rows) tile<1, Columns, true>(a + r, stride_a, b, depth, c + r, stride_c);
 }
 
-/// LDL' of the kColumns x kColumns block at `x`; false when it has to stop.
-template <int kColumns>
+/// LDL' of the Columns x Columns block at `x`; false when it has to stop.
+template <int Columns>
 bool factor_block(double* x, std::ptrdiff_t stride, int at, const Elimination& elimination, PivotCount& count) {
   double* reciprocal = elimination.reciprocal + at;
-  for (int j = 0; j < kColumns; ++j) {
+  for (int j = 0; j < Columns; ++j) {
     const double pivot = x[j * stride + j];
     const bool usable = std::isfinite(pivot) && std::isfinite(1 / pivot);
     if (!usable || pivot < 0) {
@@ -75,12 +75,12 @@ bool factor_block(double* x, std::ptrdiff_t stride, int at, const Elimination& e
       ++count.negative;
     }
     reciprocal[j] = 1 / pivot;
-    double scaled[kColumns];
-    for (int i = j + 1; i < kColumns; ++i) {
+    double scaled[Columns];
+    for (int i = j + 1; i < Columns; ++i) {
       scaled[i] = x[j * stride + i];
       x[j * stride + i] *= reciprocal[j];
     }
-    for (int i = j + 1; i < kColumns; ++i) {
+    for (int i = j + 1; i < Columns; ++i) {
       for (int c = j + 1; c <= i; ++c) x[c * stride + i] -= x[j * stride + i] * scaled[c];
     }
   }
@@ -89,18 +89,18 @@ bool factor_block(double* x, std::ptrdiff_t stride, int at, const Elimination& e
 
 /// L and L D of the rows below a factored block. `x` points to its first column, `scaled` to the values of its first
 /// column in the group of row 0.
-template <int kColumns>
+template <int Columns>
 void solve_rows(double* x, std::ptrdiff_t stride, int diagonal, int rows, const double* reciprocal, double* scaled,
                 int pivots) {
-  Packet lower[kColumns][kColumns], inverse[kColumns];
-  for (int j = 0; j < kColumns; ++j) {
+  Packet lower[Columns][Columns], inverse[Columns];
+  for (int j = 0; j < Columns; ++j) {
     inverse[j] = all(reciprocal[j]);
-    for (int i = j + 1; i < kColumns; ++i) lower[j][i] = all(-x[j * stride + diagonal + i]);
+    for (int i = j + 1; i < Columns; ++i) lower[j][i] = all(-x[j * stride + diagonal + i]);
   }
   for (int r = diagonal + kGroup; r < rows; r += kLanes) {
     double* group = scaled + static_cast<std::ptrdiff_t>(r / kGroup) * kGroup * pivots + r % kGroup;
-    Packet y[kColumns];
-    for (int j = 0; j < kColumns; ++j) {
+    Packet y[Columns];
+    for (int j = 0; j < Columns; ++j) {
       y[j] = load(x + j * stride + r);
       for (int k = 0; k < j; ++k) y[j] = multiply_add(y[k], lower[k][j], y[j]);
       store(group + j * kGroup, y[j]);
@@ -109,25 +109,25 @@ void solve_rows(double* x, std::ptrdiff_t stride, int diagonal, int rows, const 
   }
 }
 
-/// Eliminates kColumns columns from `at` on, with what the columns from `block` on do to them first.
-template <int kColumns>
+/// Eliminates Columns columns from `at` on, with what the columns from `block` on do to them first.
+template <int Columns>
 bool eliminate(const Panel& panel, int block, int at, const Elimination& elimination, PivotCount& count) {
   const std::ptrdiff_t stride = panel.stride;
   double* columns = panel.x + at * stride;
   if (at > block) {
     const double* b = elimination.scaled + static_cast<std::ptrdiff_t>(at) * panel.pivots + block * kGroup;
-    update_columns<kColumns>(panel.x + block * stride + at, stride, b, at - block, columns + at, stride,
-                             panel.stride - at);
+    update_columns<Columns>(panel.x + block * stride + at, stride, b, at - block, columns + at, stride,
+                            panel.stride - at);
   }
-  if (!factor_block<kColumns>(columns + at, stride, at, elimination, count)) return false;
-  solve_rows<kColumns>(columns, stride, at, panel.stride, elimination.reciprocal + at, elimination.scaled + at * kGroup,
-                       panel.pivots);
+  if (!factor_block<Columns>(columns + at, stride, at, elimination, count)) return false;
+  solve_rows<Columns>(columns, stride, at, panel.stride, elimination.reciprocal + at, elimination.scaled + at * kGroup,
+                      panel.pivots);
   return true;
 }
 
 /// c (-)= L (L D)' in the lower triangle, for the columns [block, block + depth) of L and the rows from `row` on, whose
 /// columns stand at c.
-template <bool kAccumulate>
+template <bool Accumulate>
 void update_triangle(const Panel& panel, const double* scaled, int block, int depth, int row, int columns, double* c,
                      std::ptrdiff_t stride_c) {
   const std::ptrdiff_t stride = panel.stride;
@@ -152,11 +152,11 @@ void update_triangle(const Panel& panel, const double* scaled, int block, int de
       const double* bj = b + j / kGroup * stride_b;
       double* cj = c + j * stride_c + r;
       if (height == kTileRows) {
-        tile<3, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
+        tile<3, kGroup, Accumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       } else if (height == 2 * kLanes) {
-        tile<2, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
+        tile<2, kGroup, Accumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       } else {
-        tile<1, kGroup, kAccumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
+        tile<1, kGroup, Accumulate>(rows_of_a, stride_a, bj, depth, cj, stride_c);
       }
     }
     r += height;

@@ -12,61 +12,61 @@ namespace {
 constexpr int kMostColumns = 36;
 constexpr int kTile = 3;
 
-/// y -= the columns [at, at + kColumns) of the panel times their unknowns, which are found on the way.
-template <int kColumns>
+/// y -= the columns [at, at + Columns) of the panel times their unknowns, which are found on the way.
+template <int Columns>
 void forward(const double* panel, std::ptrdiff_t stride, int at, double* y) {
   const double* l = panel + at * stride;
-  for (int j = 0; j < kColumns; ++j) {
-    for (int i = j + 1; i < kColumns; ++i) y[at + i] -= l[j * stride + at + i] * y[at + j];
+  for (int j = 0; j < Columns; ++j) {
+    for (int i = j + 1; i < Columns; ++i) y[at + i] -= l[j * stride + at + i] * y[at + j];
   }
-  Packet x[kColumns];
-  for (int j = 0; j < kColumns; ++j) x[j] = all(-y[at + j]);
+  Packet x[Columns];
+  for (int j = 0; j < Columns; ++j) x[j] = all(-y[at + j]);
   for (std::ptrdiff_t r = at + kPad; r < stride; r += kLanes) {
     Packet sum = load(y + r);
-    for (int j = 0; j < kColumns; ++j) sum = multiply_add(load(l + j * stride + r), x[j], sum);
+    for (int j = 0; j < Columns; ++j) sum = multiply_add(load(l + j * stride + r), x[j], sum);
     store(y + r, sum);
   }
 }
 
-template <int kColumns>
+template <int Columns>
 void backward(const double* panel, std::ptrdiff_t stride, int at, double* y) {
   const double* l = panel + at * stride;
-  Packet product[kColumns];
-  for (int j = 0; j < kColumns; ++j) product[j] = all(0);
+  Packet product[Columns];
+  for (int j = 0; j < Columns; ++j) product[j] = all(0);
   for (std::ptrdiff_t r = at + kPad; r < stride; r += kLanes) {
     const Packet x = load(y + r);
-    for (int j = 0; j < kColumns; ++j) product[j] = multiply_add(load(l + j * stride + r), x, product[j]);
+    for (int j = 0; j < Columns; ++j) product[j] = multiply_add(load(l + j * stride + r), x, product[j]);
   }
-  for (int j = kColumns - 1; j >= 0; --j) {
+  for (int j = Columns - 1; j >= 0; --j) {
     y[at + j] -= sum(product[j]);
-    for (int i = j + 1; i < kColumns; ++i) y[at + j] -= l[j * stride + at + i] * y[at + i];
+    for (int i = j + 1; i < Columns; ++i) y[at + j] -= l[j * stride + at + i] * y[at + i];
   }
 }
 
 /// `rows` rows of right-hand sides minus L times the solved ones. Row r of the result stands at y + index(r) * width.
-template <int kVectors, class Index>
+template <int Vectors, class Index>
 void subtract_product(const double* l, std::ptrdiff_t stride, int depth, const double* x, std::ptrdiff_t width,
                       double* y, const Index& index) {
-  Packet product[kPad][kVectors];
+  Packet product[kPad][Vectors];
   for (int i = 0; i < kPad; ++i) {
-    for (int v = 0; v < kVectors; ++v) product[i][v] = all(0);
+    for (int v = 0; v < Vectors; ++v) product[i][v] = all(0);
   }
   for (int k = 0; k < depth; ++k, l += stride, x += width) {
-    Packet row[kVectors];
-    for (int v = 0; v < kVectors; ++v) row[v] = load(x + v * kLanes);
+    Packet row[Vectors];
+    for (int v = 0; v < Vectors; ++v) row[v] = load(x + v * kLanes);
     for (int i = 0; i < kPad; ++i) {
       const Packet factor = all(l[i]);
-      for (int v = 0; v < kVectors; ++v) product[i][v] = multiply_add(factor, row[v], product[i][v]);
+      for (int v = 0; v < Vectors; ++v) product[i][v] = multiply_add(factor, row[v], product[i][v]);
     }
   }
   for (int i = 0; i < kPad; ++i) {
     double* to = y + index(i) * width;
-    for (int v = 0; v < kVectors; ++v) store(to + v * kLanes, subtract(load(to + v * kLanes), product[i][v]));
+    for (int v = 0; v < Vectors; ++v) store(to + v * kLanes, subtract(load(to + v * kLanes), product[i][v]));
   }
 }
 
-/// One front, kVectors packets of right-hand sides: x holds its pivots' rows, y all rows by their numbers.
-template <int kVectors>
+/// One front, Vectors packets of right-hand sides: x holds its pivots' rows, y all rows by their numbers.
+template <int Vectors>
 void forward_block(const double* panel, const Front& front, const int* row, int unknowns, double* y,
                    std::ptrdiff_t width) {
   const std::ptrdiff_t stride = front.stride();
@@ -75,8 +75,8 @@ void forward_block(const double* panel, const Front& front, const int* row, int 
     const int columns = std::min(kPad, front.pivots - at);
     const int spare = unknowns - front.first;  // rows below the last are there to be written to
     if (at > 0) {
-      subtract_product<kVectors>(panel + at, stride, at, x, width, x,
-                                 [&](int i) -> std::ptrdiff_t { return i < columns ? at + i : spare; });
+      subtract_product<Vectors>(panel + at, stride, at, x, width, x,
+                                [&](int i) -> std::ptrdiff_t { return i < columns ? at + i : spare; });
     }
     const double* l = panel + at * stride + at;
     for (int j = 0; j < columns; ++j) {
@@ -84,7 +84,7 @@ void forward_block(const double* panel, const Front& front, const int* row, int 
         const Packet factor = all(-l[j * stride + i]);
         double* to = x + (at + i) * width;
         const double* from = x + (at + j) * width;
-        for (int v = 0; v < kVectors; ++v) {
+        for (int v = 0; v < Vectors; ++v) {
           store(to + v * kLanes, multiply_add(factor, load(from + v * kLanes), load(to + v * kLanes)));
         }
       }
@@ -92,12 +92,12 @@ void forward_block(const double* panel, const Front& front, const int* row, int 
   }
   const double* below = panel + padded(front.pivots);
   for (int r = 0; r < front.updates; r += kPad) {
-    subtract_product<kVectors>(below + r, stride, front.pivots, x, width, y,
-                               [&](int i) -> std::ptrdiff_t { return r + i < front.updates ? row[r + i] : unknowns; });
+    subtract_product<Vectors>(below + r, stride, front.pivots, x, width, y,
+                              [&](int i) -> std::ptrdiff_t { return r + i < front.updates ? row[r + i] : unknowns; });
   }
 }
 
-template <int kVectors>
+template <int Vectors>
 void backward_block(const double* panel, const Front& front, const int* row, double* y, std::ptrdiff_t width) {
   const std::ptrdiff_t stride = front.stride();
   double* x = y + front.first * width;
@@ -105,16 +105,16 @@ void backward_block(const double* panel, const Front& front, const int* row, dou
     const int columns = std::min(kPad, front.pivots - at);
     const double* column[kPad];
     for (int j = 0; j < kPad; ++j) column[j] = panel + (at + std::min(j, columns - 1)) * stride;
-    Packet product[kPad][kVectors];
+    Packet product[kPad][Vectors];
     for (int j = 0; j < kPad; ++j) {
-      for (int v = 0; v < kVectors; ++v) product[j][v] = all(0);
+      for (int v = 0; v < Vectors; ++v) product[j][v] = all(0);
     }
     const auto add_row = [&](std::ptrdiff_t r, const double* from) {
-      Packet solved[kVectors];
-      for (int v = 0; v < kVectors; ++v) solved[v] = load(from + v * kLanes);
+      Packet solved[Vectors];
+      for (int v = 0; v < Vectors; ++v) solved[v] = load(from + v * kLanes);
       for (int j = 0; j < kPad; ++j) {
         const Packet factor = all(column[j][r]);
-        for (int v = 0; v < kVectors; ++v) product[j][v] = multiply_add(factor, solved[v], product[j][v]);
+        for (int v = 0; v < Vectors; ++v) product[j][v] = multiply_add(factor, solved[v], product[j][v]);
       }
     };
     const int below = padded(front.pivots);
@@ -122,7 +122,7 @@ void backward_block(const double* panel, const Front& front, const int* row, dou
     for (int r = at + columns; r < front.pivots; ++r) add_row(r, x + r * width);
     for (int j = columns - 1; j >= 0; --j) {
       double* to = x + (at + j) * width;
-      for (int v = 0; v < kVectors; ++v) {
+      for (int v = 0; v < Vectors; ++v) {
         Packet value = subtract(load(to + v * kLanes), product[j][v]);
         for (int i = j + 1; i < columns; ++i) {
           value = multiply_add(all(-column[j][at + i]), load(x + (at + i) * width + v * kLanes), value);
