@@ -37,7 +37,7 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
   }
   potential_.emplace(whole.dofs(), touching_terms(),
                      std::vector<LocalAxes>(whole.local_axes().begin(), whole.local_axes().end()));
-  factor_.emplace(potential_->pattern(), kept_);
+  factor_.emplace(potential_->pattern(), kept_, LinearSolverOptions{.threads = workspace.context().threads});
   g_.resize(unknowns_);
   metric_.resize(unknowns_);
 }
