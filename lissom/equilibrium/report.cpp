@@ -38,6 +38,16 @@ void find_worst_of_membranes(const StaticProblem& problem, Equilibrium& result) 
   result.worst.push_back(slackest);
 }
 
+/// Slack fabric can fold in many ways that cost nearly the same, between which a solve may take very long.
+std::string slack_reason(const Equilibrium& result) {
+  for (const WorstElement& worst : result.worst) {
+    if (worst.triangle < 0 || worst.value >= 1) continue;
+    return "; the fabric has gone slack, least stretch " + number(worst.value) +
+           ": make the rods thicker, or raise the pre-stretch and the radii together";
+  }
+  return {};
+}
+
 void find_worst(const StaticProblem& problem, const VecX& free_gradient, Equilibrium& result) {
   const System& system = *problem.system;
   const Structure& structure = system.structure;
@@ -140,6 +150,7 @@ void describe(const StaticProblem& problem, NewtonWorkspace& workspace, Equilibr
       if (!result.worst.empty() && !result.worst.front().rod.empty()) {
         result.message += ", at rod " + result.worst.front().rod;
       }
+      result.message += slack_reason(result);
       break;
     case Verdict::kBadStart:
       break;
