@@ -183,6 +183,7 @@ class RandomModel {
   int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   double positive() { return std::pow(10, number(-12, 12)); }
+  double thin() { return std::pow(10, number(-12, -3)); }  // splines bend around more than that
   double any() { return pick(8) == 0 ? 0.0 : (pick(2) ? 1 : -1) * positive(); }
   Vec3 vector() { return {any(), any(), any()}; }
   Vec3 direction() { return Vec3(number(0.1, 1), number(-1, 1), number(-1, 1)).normalized(); }
@@ -192,7 +193,7 @@ class RandomModel {
     for (const char* name : {"a", "b", "c"}) {  // never at one place nor in line
       const size_t k = p.points.size();
       const Vec2 at(double(k) + number(0, 0.9), k == 1 ? number(0.5, 1) : number(-1, 0));
-      p.points.push_back({name, at, positive(), positive(), pick(2) == 1});
+      p.points.push_back({name, at, thin(), thin(), pick(2) == 1});
     }
     const bool closed = pick(2) == 1;
     p.rods = {
@@ -202,7 +203,7 @@ class RandomModel {
     p.edge_length = positive();
     p.max_turn = number(0.01, 0.5);
     p.fabric.material = "f/1";
-    p.fabric.pre_stretch = pick(2) ? Vec2::Constant(1 + positive()) : Vec2(1 + positive(), 1 + positive());
+    p.fabric.pre_stretch = pick(2) ? Vec2::Constant(number(1, 4)) : Vec2(number(1, 4), number(0.1, 4));
     p.fabric.warp_angle = number(-3, 3);
     p.fabric.edge_length = positive();
     p.fabric.min_angle = number(0.01, 0.5);
