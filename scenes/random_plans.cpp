@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Young's modulus, Pa, of a fabric with one modulus for both directions, and so on: what rods have to balance.
+/// What rods have to balance.
 struct Pull {
   double extent = 0;   // m
   double tension = 0;  // N/m

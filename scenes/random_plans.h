@@ -5,7 +5,7 @@
 
 namespace lissom::scene_models {
 
-/// What the numbers are drawn from. Rods: 3 to 40 plastics, metals and composites of the library. Outlines: circles, polygons
+/// What the numbers are drawn from. Rods: 3 to 40, of any material of the library. Outlines: circles, polygons
 /// and blobs of 50 to 400 mm, in one or several rods, some of them ghosts. Inside: straight and curved rods from point to
 /// point, free ends, rods that float on the fabric by themselves, rings, holes in rings; points that are split; ghosts.
 /// Fabrics: those of the library and orthotropic ones of 0.25 to 60 N/m, stretched by 1.05 to 1.8 along each axis. Radii:

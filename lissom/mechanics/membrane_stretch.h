@@ -39,7 +39,7 @@ struct SheetTension {
 template <class T>
 struct SheetCrush {
   static constexpr double kCrushedArea = 0.32;     // of the rest area
-  static constexpr double kCrushStiffness = 0.05;  // a third of that area resists about as much as taut fabric pulls
+  static constexpr double kCrushStiffness = 0.05;  // 0.7 of that area resists about as much as taut fabric pulls
   static constexpr double kBegin = kCrushedArea * kCrushedArea;
 
   T energy, first, second;
