@@ -17,7 +17,7 @@ GOOD = {
     "lissom/core/result.h": "#pragma once\n#include <Eigen/Core>\n#include <vector>\n",
     "lissom/core/linear_solver.h": "#pragma once\n",
     "lissom/core/linear_solver.cpp": '#include "lissom/core/linear_solver.h"\n#include <cholmod.h>\n#include <metis.h>\n',
-    "lissom/core/linear_solver_dense.cpp": "#include <omp.h>\n",
+    "lissom/core/linear_solver_dense.cpp": "",
     "lissom/core/file_io.cpp": "#include <unistd.h>\n",
     "lissom/geometry/frame.h": '#pragma once\n#include "lissom/core/result.h"\n',
     "lissom/model/model.h": '#pragma once\n#include "lissom/geometry/frame.h"\n#include "lissom/core/result.h"\n',

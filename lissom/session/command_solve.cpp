@@ -10,6 +10,7 @@
 #include "lissom/session/ghost_lines.h"
 #include "lissom/session/output.h"
 #include "lissom/session/pose_files.h"
+#include "lissom/session/solved_remedy.h"
 #include "lissom/view/picture.h"
 #include "lissom/view/vtk_export.h"
 
@@ -48,6 +49,18 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
        pose.name}};
   return output.write(stem + (*command.picture == ImageFormat::kSvg ? ".svg" : ".png"),
                       draw_picture(panels, options, *command.picture));
+}
+
+/// Puts what solving says of the remedy against slack fabric in the place of the estimate.
+void solve_remedies(const Model& model, const Pose& pose, const std::string& where, const SolveOptions& options,
+                    const Context& context, SolvedPose& solved) {
+  const WarningLimits limits;
+  for (Warning& warning : solved.warnings) {
+    if (warning.what != "slack fabric") continue;
+    const std::optional<SolvedRemedy> remedy = solved_remedy(model, pose, where, solved.equilibrium, limits.stretch,
+                                                             limits.wanted_stretch, options, context);
+    if (remedy) warning.remedy += "; " + solved_remedy_text(*remedy);
+  }
 }
 
 }  // namespace
@@ -102,6 +115,7 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
     const System& shown = found ? *found : system;
     const Status status = write_pose(document, pose, shown, stems[p], command, solved, output);
     if (!status) return status.error();
+    if (!found && command.load_factor == 1) solve_remedies(document.model, pose, where, command.options, context, solved);
     solved.files = output.take_written();
     solved.summary = result_summary(pose, shown, solved.removed_motions, solved.equilibrium, solved.files);
     results.push_back(std::move(solved));
