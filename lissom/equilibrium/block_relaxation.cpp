@@ -9,7 +9,7 @@ namespace lissom {
 
 namespace {
 
-constexpr double kLeastShift = 1e-6, kMostShift = 1, kShiftGrowth = 16, kShiftFall = 64;
+constexpr double kLeastShift = 1e-6, kMostShift = 1e3, kShiftGrowth = 16, kShiftFall = 64;
 constexpr double kMostTurn = 0.5;  // rad, of a roll or joint rotation in one step
 constexpr double kEnergyNoise = 1e-13;
 

@@ -151,6 +151,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
   stale_ = reuse_ && workspace_.has_plain_factor();
   if (rods_ && !predict_) {
+    workspace_.assemble(state);  // for the metric of shifts
     rods_->relax(state, kFirstRelaxation, 0, tolerance_, Crumpled::kMend);
   }
   energy_ = workspace_.energy(*state_);

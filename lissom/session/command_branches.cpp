@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "lissom/mechanics/membrane_strain.h"
 #include "lissom/session/branches_json.h"
 #include "lissom/session/fields.h"
 #include "lissom/session/output.h"
@@ -73,7 +74,8 @@ Result<std::vector<PoseBranches>> branches_command(const Document& document, con
       const Equilibrium& e = found.search.branches[k].equilibrium;
       found.heights.push_back(height_of(system, e.state));
       const std::string name = fmt::format("{}-shape-{}.json", stems[p], k + 1);
-      const std::string text = result_text(document, pose, system, problem.value().supports.removed_motions(), e);
+      const std::string text = result_text(document, pose, system, problem.value().supports.removed_motions(), e,
+                                           warnings(system, e.state, stretch_share(pose, e.state.load_factor)));
       if (const Status s = output.write(name, text); !s) return s.error();
     }
     if (command.picture && !found.search.branches.empty()) {

@@ -21,7 +21,9 @@ namespace {
 Status write_pose(const Document& document, const Pose& pose, const System& system, const std::string& stem,
                   const SolveCommand& command, SolvedPose& solved, Output& output) {
   const Equilibrium& e = solved.equilibrium;
-  if (const Status s = output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e)); !s)
+  if (const Status s =
+          output.write(stem + ".json", result_text(document, pose, system, solved.removed_motions, e, solved.warnings));
+      !s)
     return s;
   if (e.verdict == Verdict::kBadStart) return {};
   const FieldSource source{document.model, system, e.state, &e.reaction, stretch_share(pose, e.state.load_factor)};
@@ -33,7 +35,6 @@ Status write_pose(const Document& document, const Pose& pose, const System& syst
         std::max(solved.largest_displacement, (e.state.position(i) - system.structure.nodes[i]).norm());
   }
   if (!system.structure.triangles.empty()) solved.totals = totals(system, e.state, source.stretch_share);
-  solved.warnings = warnings(system, e.state, source.stretch_share);
   const std::vector<double>& stress = drawing.value().field("stress")->values;
   if (!stress.empty()) solved.largest_stress = *std::max_element(stress.begin(), stress.end());
   if (command.vtu == ParaView::kYes) {
@@ -57,9 +58,11 @@ void solve_remedies(const Model& model, const Pose& pose, const std::string& whe
   const WarningLimits limits;
   for (Warning& warning : solved.warnings) {
     if (warning.what != "slack fabric") continue;
-    const std::optional<SolvedRemedy> remedy = solved_remedy(model, pose, where, solved.equilibrium, limits.stretch,
-                                                             limits.wanted_stretch, options, context);
-    if (remedy) warning.remedy += "; " + solved_remedy_text(*remedy);
+    const std::optional<SolvedRemedy> remedy =
+        solved_remedy(model, pose, where, solved.equilibrium, limits.stretch, limits.wanted_stretch, options, context);
+    if (remedy) {
+      warning.remedy = warning.remedy.substr(0, warning.remedy.find(kEstimatedRemedy)) + solved_remedy_text(*remedy);
+    }
   }
 }
 
@@ -113,11 +116,18 @@ Result<std::vector<SolvedPose>> solve_command(const Document& document, const So
       solved.equilibrium = solve(problem.value(), start, command.load_factor, command.options, context);
     }
     const System& shown = found ? *found : system;
+    if (solved.equilibrium.verdict != Verdict::kBadStart) {
+      const State& state = solved.equilibrium.state;
+      solved.warnings = warnings(shown, state, stretch_share(pose, state.load_factor));
+      if (!found && command.load_factor == 1) {
+        solve_remedies(document.model, pose, where, command.options, context, solved);
+      }
+    }
     const Status status = write_pose(document, pose, shown, stems[p], command, solved, output);
     if (!status) return status.error();
-    if (!found && command.load_factor == 1) solve_remedies(document.model, pose, where, command.options, context, solved);
     solved.files = output.take_written();
-    solved.summary = result_summary(pose, shown, solved.removed_motions, solved.equilibrium, solved.files);
+    solved.summary =
+        result_summary(pose, shown, solved.removed_motions, solved.equilibrium, solved.warnings, solved.files);
     results.push_back(std::move(solved));
     if (context.cancelled()) break;
   }

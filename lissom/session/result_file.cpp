@@ -86,7 +86,8 @@ Json warnings_of(const std::vector<Warning>& warnings) {
   return list;
 }
 
-Json summary_of(const Pose& pose, const System& system, const std::vector<std::string>& removed, const Equilibrium& e) {
+Json summary_of(const Pose& pose, const System& system, const std::vector<std::string>& removed, const Equilibrium& e,
+                const std::vector<Warning>& warnings) {
   Json json;
   json["pose"] = pose.name;
   json["verdict"] = verdict_of(e);
@@ -101,7 +102,7 @@ Json summary_of(const Pose& pose, const System& system, const std::vector<std::s
   if (!system.structure.triangles.empty() && e.verdict != Verdict::kBadStart) {
     const double share = stretch_share(pose, e.state.load_factor);
     json["totals"] = totals_of(totals(system, e.state, share));
-    json["warnings"] = warnings_of(warnings(system, e.state, share));
+    json["warnings"] = warnings_of(warnings);
   }
   json["removed_motions"] = removed;
   json["notes"] = system.structure.notes;
@@ -111,14 +112,15 @@ Json summary_of(const Pose& pose, const System& system, const std::vector<std::s
 }  // namespace
 
 std::string result_text(const Document& document, const Pose& pose, const System& system,
-                        const std::vector<std::string>& removed_motions, const Equilibrium& equilibrium) {
+                        const std::vector<std::string>& removed_motions, const Equilibrium& equilibrium,
+                        const std::vector<Warning>& warnings) {
   Json json;
   json["lissom_result"] = kResultVersion;
   json["document"] = {{"name", document.name},
                       {"title", document.model.title},
                       {"hash", document_hash(document.model)},
                       {"text", write_document(document.model, NetworkText::kRods)}};
-  json.update(summary_of(pose, system, removed_motions, equilibrium));
+  json.update(summary_of(pose, system, removed_motions, equilibrium, warnings));
   json["records"] = records_of(equilibrium);
   const VecX& reaction = equilibrium.reaction;
   json["reaction"] = std::span<const double>(reaction.data(), static_cast<size_t>(reaction.size()));
@@ -127,8 +129,9 @@ std::string result_text(const Document& document, const Pose& pose, const System
 }
 
 std::string result_summary(const Pose& pose, const System& system, const std::vector<std::string>& removed_motions,
-                           const Equilibrium& equilibrium, const std::vector<std::filesystem::path>& files) {
-  Json json = summary_of(pose, system, removed_motions, equilibrium);
+                           const Equilibrium& equilibrium, const std::vector<Warning>& warnings,
+                           const std::vector<std::filesystem::path>& files) {
+  Json json = summary_of(pose, system, removed_motions, equilibrium, warnings);
   json["files"] = file_list(files);
   return json_line(json);
 }

@@ -10,6 +10,7 @@
 #include "lissom/equilibrium/equilibrium.h"
 #include "lissom/mechanics/system.h"
 #include "lissom/session/document_file.h"
+#include "lissom/session/warnings.h"
 
 namespace lissom {
 
@@ -17,11 +18,13 @@ constexpr int kResultVersion = 1;  ///< value of the key "lissom_result"
 
 /// The file of a pose solved by `solve` (SI units).
 std::string result_text(const Document& document, const Pose& pose, const System& system,
-                        const std::vector<std::string>& removed_motions, const Equilibrium& equilibrium);
+                        const std::vector<std::string>& removed_motions, const Equilibrium& equilibrium,
+                        const std::vector<Warning>& warnings);
 
 /// One line of JSON that sums it up, as `lissom solve --json` prints it (SI units).
 std::string result_summary(const Pose& pose, const System& system, const std::vector<std::string>& removed_motions,
-                           const Equilibrium& equilibrium, const std::vector<std::filesystem::path>& files);
+                           const Equilibrium& equilibrium, const std::vector<Warning>& warnings,
+                           const std::vector<std::filesystem::path>& files);
 
 struct SavedResult {
   Document document;  ///< as it was when the result was made

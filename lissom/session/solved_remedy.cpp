@@ -8,12 +8,15 @@
 #include "lissom/equilibrium/branches.h"
 #include "lissom/equilibrium/live_solver.h"
 #include "lissom/mechanics/membrane_strain.h"
+#include "lissom/session/warnings.h"
 
 namespace lissom {
 
 namespace {
 
-constexpr int kTrials = 4;
+constexpr int kRounds = 4;
+constexpr double kRadiusStep = 0.16;  // of the radii, in the first round
+constexpr double kTautEnough = 0.03;  // so much more stretch than wanted is no reason for another round
 
 struct Slackest {
   double stretch = std::numeric_limits<double>::infinity();
@@ -28,6 +31,38 @@ Slackest slackest_of(const System& system, const State& state, double share) {
   }
   return slackest;
 }
+
+/// Solves trials from one slack shape.
+class Trials {
+ public:
+  Trials(const Model& model, const Pose& pose, const std::string& where, const Equilibrium& slack,
+         const SolveOptions& options, const Context& context)
+      : model_(model), pose_(pose), where_(where), slack_(slack), options_(options), context_(context) {
+    options_.modes = 0;
+  }
+
+  /// Nothing where the changed design does not settle.
+  std::optional<SolvedRemedy> solve(const Vec2& present, double pre_stretch_factor, double radius_factor) const {
+    const Model changed = remedied(model_, pre_stretch_factor, radius_factor);
+    const Result<System> system = make_system(changed);
+    if (!system || system.value().layout.size() != slack_.state.q.size()) return std::nullopt;
+    const Result<StaticProblem> problem = make_static_problem(changed, system.value(), pose_, where_);
+    if (!problem) return std::nullopt;
+    const Equilibrium found = LiveSolver(problem.value(), options_, context_).resettle(slack_.state);
+    if (found.verdict != Verdict::kStable) return std::nullopt;
+    return SolvedRemedy{{pre_stretch_factor * present, radius_factor},
+                        slackest_of(system.value(), found.state, 1).stretch,
+                        shape_distance(problem.value(), slack_.state, found.state, Image::kItself)};
+  }
+
+ private:
+  const Model& model_;
+  const Pose& pose_;
+  const std::string& where_;
+  const Equilibrium& slack_;
+  SolveOptions options_;
+  const Context& context_;
+};
 
 }  // namespace
 
@@ -58,31 +93,29 @@ std::optional<SolvedRemedy> solved_remedy(const Model& model, const Pose& pose, 
   const Slackest before = slackest_of(first.value(), slack.state, 1);
   const StructureMembrane& fabric = first.value().structure.membranes.front();
   const TriangleRest& moduli = first.value().rest.triangles[before.triangle];
-  SolveOptions quick = options;
-  quick.modes = 0;
-  double factor = wanted / before.stretch;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    SolvedRemedy solved;
-    solved.remedy.pre_stretch = factor * fabric.pre_stretch;
-    solved.remedy.radius_factor =
-        std::pow(flat_tension(moduli, solved.remedy.pre_stretch) / flat_tension(moduli, fabric.pre_stretch), 0.25);
-    if (!std::isfinite(solved.remedy.radius_factor)) return std::nullopt;
-    const Model changed = remedied(model, factor, solved.remedy.radius_factor);
-    const Result<System> system = make_system(changed);
-    if (!system || system.value().layout.size() != first.value().layout.size()) return std::nullopt;
-    const Result<StaticProblem> problem = make_static_problem(changed, system.value(), pose, where);
-    if (!problem) return std::nullopt;
-    LiveSolver solver(problem.value(), quick, context);
-    const Equilibrium found = solver.resettle(slack.state);
-    if (found.verdict != Verdict::kStable) return std::nullopt;
-    solved.smallest_stretch = slackest_of(system.value(), found.state, 1).stretch;
-    if (solved.smallest_stretch >= enough) {
-      solved.moved = shape_distance(problem.value(), slack.state, found.state, Image::kItself);
-      return solved;
+  const auto balanced = [&](double factor) {
+    return std::pow(flat_tension(moduli, factor * fabric.pre_stretch) / flat_tension(moduli, fabric.pre_stretch), 0.25);
+  };
+  const Trials trials(model, pose, where, slack, options, context);
+  const auto solved = [&](double factor, double radii) { return trials.solve(fabric.pre_stretch, factor, radii); };
+  // In turns: radii at which the shape moves least, then the pre-stretch that leaves it just taut.
+  std::optional<SolvedRemedy> taut;
+  double factor = wanted / before.stretch, share = 1, step = kRadiusStep;  // share: of radii, over those in balance
+  for (int round = 0; round < kRounds; ++round, step /= 2) {
+    std::optional<SolvedRemedy> best = solved(factor, share * balanced(factor));
+    if (!best) break;
+    for (const double side : {1 + step, 1 / (1 + step)}) {
+      const std::optional<SolvedRemedy> other = solved(factor, side * share * balanced(factor));
+      if (!other || other->moved >= best->moved) continue;
+      best = other;
+      share *= side;
+      break;
     }
-    factor *= wanted / solved.smallest_stretch;
+    if (best->smallest_stretch >= enough) taut = best;
+    if (taut && best->smallest_stretch < wanted + kTautEnough) break;
+    factor *= wanted / best->smallest_stretch;
   }
-  return std::nullopt;
+  return taut;
 }
 
 std::string solved_remedy_text(const SolvedRemedy& solved) {
@@ -90,8 +123,10 @@ std::string solved_remedy_text(const SolvedRemedy& solved) {
   const std::string stretch =
       to.x() == to.y() ? fmt::format("{:.4g}", to.x()) : fmt::format("{:.4g} x {:.4g}", to.x(), to.y());
   return fmt::format(
-      "solved with a pre-stretch of {} and all radii times {:.4g}: the smallest stretch is {:.4g} and the shape moves by {:.2g} mm",
-      stretch, solved.remedy.radius_factor, solved.smallest_stretch, 1e3 * solved.moved);
+      "{}raise the pre-stretch to {} and multiply all radii by {:.4g}: solved so, the smallest stretch is {:.4g} and "
+      "the "
+      "shape moves by {:.2g} mm",
+      kEstimatedRemedy, stretch, solved.remedy.radius_factor, solved.smallest_stretch, 1e3 * solved.moved);
 }
 
 }  // namespace lissom

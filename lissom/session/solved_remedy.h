@@ -22,8 +22,9 @@ struct SolvedRemedy {
 Model remedied(const Model& model, double pre_stretch_factor, double radius_factor);
 
 /// Raises the pre-stretch, and the radii with it so that bending keeps its balance with the fabric, until the smallest
-/// stretch is at least `enough`, aiming at `wanted`; each trial is solved, from the shape at hand. Nothing where no trial of a few
-/// ends in a stable shape that is taut. `slack`: stable shape of `pose` with fabric stretched by less than `enough`.
+/// stretch is about `wanted` and at least `enough`; of the radii those at which the shape moves least. Each trial is solved, from
+/// the shape at hand: twelve at most. Nothing where none ends in a stable shape that is taut. `slack`: stable shape of `pose` with
+/// fabric stretched by less than `enough`.
 std::optional<SolvedRemedy> solved_remedy(const Model& model, const Pose& pose, const std::string& where,
                                           const Equilibrium& slack, double enough, double wanted,
                                           const SolveOptions& options, const Context& context);

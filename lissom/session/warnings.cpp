@@ -66,9 +66,8 @@ void warn_of_slack(const Shape& shape, std::vector<Warning>& list) {
       const Vec2& to = remedy->pre_stretch;
       const std::string stretch =
           to.x() == to.y() ? fmt::format("{:.3g}", to.x()) : fmt::format("{:.3g} x {:.3g}", to.x(), to.y());
-      warning.remedy =
-          fmt::format("{}; for about the same shape raise the pre-stretch to {} and multiply all radii by {:.3g}",
-                      share, stretch, remedy->radius_factor);
+      warning.remedy = fmt::format("{}{}raise the pre-stretch to {} and multiply all radii by {:.3g}", share,
+                                   kEstimatedRemedy, stretch, remedy->radius_factor);
       if (to.maxCoeff() > shape.limits.pre_stretch) {
         warning.remedy +=
             fmt::format(", or, as few fabrics bear more than {:.2g}, make the rods thicker until the shape is flatter",

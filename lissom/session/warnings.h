@@ -3,6 +3,7 @@
 
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lissom/mechanics/state.h"
@@ -19,6 +20,9 @@ struct WarningLimits {
   double diameter = 0.5e-3;                   ///< m, smallest that printers make [thesis chapter 6]
   double pre_stretch = 1.6;                   ///< what fabrics usually bear [thesis chapter 6]
 };
+
+/// Where the remedy against slack fabric goes on with an estimate; solving says more (solved_remedy.h).
+inline constexpr std::string_view kEstimatedRemedy = "; for about the same shape ";
 
 struct Warning {
   std::string what;    ///< "slack fabric", "compressed rod", "turning angle", "thin rod"

@@ -160,7 +160,7 @@ TEST(Results, ReadBackExactlyAndSurviveMutilation) {
   const System system = make_system(model).value();
   const StaticProblem problem = make_static_problem(model, system, model.poses[0], "/poses/0").value();
   const Equilibrium equilibrium = solve(problem, start_state(problem, model.poses[0]), 1, {});
-  const std::string text = result_text({"tripod", {}, model}, model.poses[0], system, {}, equilibrium);
+  const std::string text = result_text({"tripod", {}, model}, model.poses[0], system, {}, equilibrium, {});
   const SavedResult saved = read_result(text, "result.json").value();
   EXPECT_EQ(saved.verdict, "stable");
   EXPECT_TRUE(check_state(system, saved.state).ok());
