@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFile = "../shared/data/two-bumps.obj";
 
-TEST(TwoBumps, RisesOrSinksAsTheSeedSays) {
+TEST(TwoBumps, AShrunkRimThrowsItIntoWaves) {
   if (!std::filesystem::exists(kFile)) {
     GTEST_SKIP() << kFile << " is not here: a drawing by others, which the repository does not carry";
   }
@@ -45,21 +45,21 @@ TEST(TwoBumps, RisesOrSinksAsTheSeedSays) {
   const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, "/poses/0");
   ASSERT_TRUE(problem.ok()) << problem.error().text();
 
-  // Waves between the points of the rim; the two long fields rise or sink together as the seed says, the
-  // short waves between them need not mirror each other.
-  const Equilibrium up = solve(problem.value(), start_state(problem.value(), pose), 1, {});
-  EXPECT_EQ(up.verdict, Verdict::kStable) << up.message;
-  pose.seed->direction = -Vec3::UnitZ();
-  const Equilibrium down = solve(problem.value(), start_state(problem.value(), pose), 1, {});
-  EXPECT_EQ(down.verdict, Verdict::kStable) << down.message;
-  EXPECT_NEAR(down.energy / up.energy, 1, 0.05);
-  double highest = 0, lowest = 0;
-  for (int i = 0; i < system.value().layout.nodes(); ++i) {
-    highest = std::max(highest, up.state.position(i).z());
-    lowest = std::min(lowest, down.state.position(i).z());
+  // Waves between the points of the rim. Shapes within 2 % of energy of each other are many: which of them a start reaches
+  // hangs on details of the steps, not on its side alone.
+  for (const double side : {1.0, -1.0}) {
+    pose.seed->direction = side * Vec3::UnitZ();
+    const Equilibrium found = solve(problem.value(), start_state(problem.value(), pose), 1, {});
+    EXPECT_EQ(found.verdict, Verdict::kStable) << found.message;
+    EXPECT_NEAR(found.energy, 41.4e3, 0.03 * 41.4e3);
+    double highest = 0, lowest = 0;
+    for (int i = 0; i < system.value().layout.nodes(); ++i) {
+      highest = std::max(highest, found.state.position(i).z());
+      lowest = std::min(lowest, found.state.position(i).z());
+    }
+    EXPECT_GT(highest, 0.3);
+    EXPECT_LT(lowest, -0.3);
   }
-  EXPECT_GT(highest, 0.5);
-  EXPECT_LT(lowest, -0.5);
 }
 
 }  // namespace
