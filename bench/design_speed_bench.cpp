@@ -1,5 +1,5 @@
 /// How fast the three designs of the gallery come to rest: cold, and after changes of many sizes; and what the time goes
-/// into. Medians; rows of name, metric, value, unit.
+/// into, on two threads. Medians; rows of name, metric, value, unit.
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +46,7 @@ constexpr Change kChanges[] = {
 };
 
 /// One iteration taken apart at an equilibrium: what factorisation and solve cost, and all else.
-void measure_parts(const std::string& name, const LiveDesign& design) {
-  const Context context;
+void measure_parts(const std::string& name, const LiveDesign& design, const Context& context) {
   NewtonWorkspace workspace(design.problem(), context);
   const State& state = design.equilibrium().state;
   VecX x;
@@ -63,7 +62,7 @@ void measure_parts(const std::string& name, const LiveDesign& design) {
       "");
 }
 
-void measure(const std::string& name) {
+void measure(const std::string& name, const Context& context) {
   const Result<std::string> text = read_file("scenes/data/fabric/" + name + ".lissom");
   const Result<Model> model = text ? read_document(text.value()) : Result<Model>(text.error());
   if (!model) {
@@ -73,13 +72,14 @@ void measure(const std::string& name) {
   LiveDesign::Options options;
   options.solve.modes = 0;
   std::unique_ptr<LiveDesign> design;
-  const double cold = median_ms(3, [&] { design = std::move(LiveDesign::make(model.value(), 0, options)).value(); });
+  const double cold =
+      median_ms(3, [&] { design = std::move(LiveDesign::make(model.value(), 0, options, context)).value(); });
   row(name, "fabric nodes", static_cast<double>(design->mesh().as_made().mesh().points.size()), "");
   row(name, "unknowns", design->problem().supports.unknowns(), "");
   row(name + ", cold", "time with meshing", cold, "ms");
   row(name + ", cold", "factorizations", design->equilibrium().factorizations, "");
   row(name + ", cold", "stable", design->equilibrium().verdict == Verdict::kStable, "");
-  measure_parts(name, *design);
+  measure_parts(name, *design, context);
   for (const Change& change : kChanges) {
     std::vector<double> times, factorizations;
     int jumps = 0, meshes = 0;
@@ -114,6 +114,9 @@ void measure(const std::string& name) {
 }  // namespace lissom
 
 int main() {
-  for (const char* name : {"butterfly", "mask", "car"}) lissom::measure(name);
+  lissom::ThreadPool threads(2);
+  lissom::Context context;
+  context.threads = &threads;
+  for (const char* name : {"butterfly", "mask", "car"}) lissom::measure(name, context);
   return 0;
 }
