@@ -109,7 +109,8 @@ void report(std::vector<Ending> endings) {
   std::sort(endings.begin(), endings.end(),
             [](const Ending& a, const Ending& b) { return a.factorizations < b.factorizations; });
   row(name, "factorizations, median", endings[endings.size() / 2].factorizations, "");
-  row(name, "factorizations, nine of ten", endings[endings.size() * 9 / 10].factorizations, "");
+  const std::size_t nine_of_ten = endings.size() * 9 / 10;
+  row(name, "factorizations, nine of ten", endings[nine_of_ten].factorizations, "");
   row(name, "factorizations, most", endings.back().factorizations, "");
   row(name, "time per layout", time / static_cast<double>(endings.size()), "ms");
   for (std::size_t k = 0; k < std::min<std::size_t>(5, endings.size()); ++k) {
