@@ -108,8 +108,8 @@ void report(std::vector<Ending> endings) {
   row(name, "most nodes", most_nodes, "");
   std::sort(endings.begin(), endings.end(),
             [](const Ending& a, const Ending& b) { return a.factorizations < b.factorizations; });
-  row(name, "factorizations, median", endings[endings.size() / 2].factorizations, "");
-  const std::size_t nine_of_ten = endings.size() * 9 / 10;
+  const std::size_t half = endings.size() / 2, nine_of_ten = endings.size() * 9 / 10;
+  row(name, "factorizations, median", endings[half].factorizations, "");
   row(name, "factorizations, nine of ten", endings[nine_of_ten].factorizations, "");
   row(name, "factorizations, most", endings.back().factorizations, "");
   row(name, "time per layout", time / static_cast<double>(endings.size()), "ms");
