@@ -151,12 +151,8 @@ TEST(PlanSensitivity, WhatIsHeldFollowsTheDrawing) {
 }
 
 TEST(PlanSensitivity, SensitivitiesOfTheButterfly) {
-  const Result<std::string> text = read_file("scenes/data/fabric/butterfly.lissom");
-  ASSERT_TRUE(text.ok()) << text.error().text();
-  const Result<Model> model = read_document(text.value());
-  ASSERT_TRUE(model.ok()) << model.error().text();
   compare_sensitivities(
-      model.value(), {},
+      fabric_scene("butterfly"), {},
       {"point \"f2-r\": r_n", "point \"b2-r\": r_b", "point \"a-r\": x", "point \"p1-l\": y", "pre-stretch"}, true);
 }
 
