@@ -35,6 +35,8 @@ function(lissom_flags target)
     # False alarms of GCC 12: vector loads of Vector3d, and text + std::string (its bug 105329).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<BOOL:${LISSOM_WERROR}>:-Werror>
+    # Square roots and the like as instructions: nothing looks at errno.
+    -fno-math-errno
     -ffp-contract=off)
   if(LISSOM_ARCH)
     target_compile_options(${target} PRIVATE -march=${LISSOM_ARCH})

@@ -58,20 +58,21 @@ void BlockRelaxer::renew_terms() {
 bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance, Crumpled crumpled) {
   if (!useful()) return false;
   bool changed = false;
-  double added = 0;  // to the shift, where the matrix needed it
+  double energy = 0;  // of the part at the state
+  double added = 0;   // to the shift, where the matrix needed it
   const DofLayout& layout = workspace_.system().layout;
   for (int k = 0; k < steps; ++k) {
-    potential_->hessian(state, gradient_, hessian_, buffers_, workspace_.context().threads);
-    double force = 0, moment = 0;
+    if (k > 0) {  // often the last step was enough, and a gradient tells
+      potential_->gradient(state, gradient_, workspace_.buffers(), workspace_.context().threads);
+      if (!(residual() > tolerance)) return changed;
+    }
+    potential_->hessian(state, gradient_, hessian_, workspace_.buffers(), workspace_.context().threads);
+    if (!(residual() > tolerance)) return changed;
     for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
       if (kept_[i] < 0) continue;
       g_[kept_[i]] = gradient_[i];
       metric_[kept_[i]] = workspace_.class_metric(layout.dof_class(i));
-      double& largest = kept_[i] < positions_ ? force : moment;
-      largest = std::max(largest, std::abs(gradient_[i]));
     }
-    const double residual = std::max(force, moment / workspace_.system().rest.mean_edge_length);
-    if (!(residual > tolerance)) return changed;
     const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
     added = added > kLeastShift ? added / kShiftFall : 0;
     while (!factor_->factorize(hessian_, shift + added, metric, Indefinite::kStop).positive_definite) {
@@ -82,16 +83,26 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
     d_ = -g_;
     factor_->solve(d_, d_);
     if (!d_.allFinite()) return changed;
-    if (!descend(state, g_.dot(d_))) return changed;
+    if (k == 0) energy = potential_->value(state, workspace_.buffers(), workspace_.context().threads);
+    if (!descend(state, g_.dot(d_), energy)) return changed;
     changed = true;
   }
   return changed;
 }
 
-bool BlockRelaxer::descend(State& state, double slope) {
+double BlockRelaxer::residual() const {
+  double force = 0, moment = 0;
+  for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
+    if (kept_[i] < 0) continue;
+    double& largest = kept_[i] < positions_ ? force : moment;
+    largest = std::max(largest, std::abs(gradient_[i]));
+  }
+  return std::max(force, moment / workspace_.system().rest.mean_edge_length);
+}
+
+bool BlockRelaxer::descend(State& state, double slope, double& energy) {
   const double turn = positions_ < unknowns_ ? d_.tail(unknowns_ - positions_).cwiseAbs().maxCoeff() : 0;
   double a = turn > kMostTurn ? kMostTurn / turn : 1;
-  const double before = potential_->value(state, buffers_, workspace_.context().threads);
   step_.setZero(static_cast<int>(kept_.size()));
   for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
     if (kept_[i] >= 0) step_[i] = d_[kept_[i]];
@@ -100,8 +111,9 @@ bool BlockRelaxer::descend(State& state, double slope) {
   for (int attempt = 0; attempt < 3; ++attempt, a *= 0.4) {
     increment_ = a * step_;
     if (!advance(workspace_.system(), state, increment_, moved_, workspace_.context().threads)) continue;
-    const double after = potential_->value(moved_, buffers_, workspace_.context().threads);
-    if (after <= before + 1e-4 * a * slope + kEnergyNoise * std::abs(before)) {
+    const double after = potential_->value(moved_, workspace_.buffers(), workspace_.context().threads);
+    if (after <= energy + 1e-4 * a * slope + kEnergyNoise * std::abs(energy)) {
+      energy = after;
       std::swap(state, moved_);
       return true;
     }

@@ -32,7 +32,8 @@ class BlockRelaxer {
   bool relax(State& state, int steps, double shift, double tolerance, Crumpled crumpled = Crumpled::kLeave);
 
  private:
-  bool descend(State& state, double slope);
+  double residual() const;  // of gradient_, N
+  bool descend(State& state, double slope, double& energy);
   std::vector<std::unique_ptr<EnergyTerm>> touching_terms() const;
 
   NewtonWorkspace& workspace_;
@@ -42,7 +43,6 @@ class BlockRelaxer {
   std::vector<bool> touched_;
   std::optional<Potential> potential_;
   std::optional<LinearSolver> factor_;
-  AssemblyBuffers buffers_;
   VecX gradient_, g_, d_, metric_, step_, increment_;
   std::vector<double> hessian_;
   State moved_;

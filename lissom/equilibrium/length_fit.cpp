@@ -15,7 +15,7 @@ constexpr double kDone = 1e-7;  // of an edge length
 
 }  // namespace
 
-LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move)
+LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move, ThreadPool* threads)
     : problem_(problem), follow_(problem, can_move) {
   const System& system = *problem.system;
   const int positions = 3 * system.layout.nodes();
@@ -55,7 +55,7 @@ LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_
   trial_.resize(system.structure.edges.size());
   edge_.resize(system.structure.edges.size());
   target_.resize(system.structure.edges.size());
-  if (unknowns > 0) solver_.emplace(pattern, kept_);
+  if (unknowns > 0) solver_.emplace(pattern, kept_, LinearSolverOptions{.threads = threads});
 }
 
 bool LengthFit::mend(const State& state, double a, const VecX& d, std::span<const double> arrival, VecX& increment) {

@@ -15,7 +15,7 @@ namespace lissom {
 class LengthFit {
  public:
   /// `can_move`: per unknown, see RigidDrift.
-  LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move);
+  LengthFit(const StaticProblem& problem, const std::vector<bool>& can_move, ThreadPool* threads = nullptr);
 
   /// Corrects `increment`, the straight trial a d or one with a second-order part, of the step d from `state` (global
   /// axes). `arrival`: axial strain of each edge at the end of the step; empty: what d brings about to first order. False

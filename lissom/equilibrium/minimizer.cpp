@@ -18,13 +18,15 @@ constexpr double kArmijo = 1e-4;
 constexpr double kEnergyNoise = 1e-13;  // of the energy: differences below it are rounding
 constexpr double kSmallestStep = 1e-7;
 constexpr int kFirstRelaxation = 8;
-constexpr double kCgTolerance = 1e-2;  // of a step by conjugate gradients, in the norm of the preconditioner
-constexpr int kCgIterations = 16;      // cost about as much as one factorisation
-constexpr int kMostChords = 4;         // steps in a run that take the old factor for the present one
-constexpr double kCrawl = 0.01;        // rad; steps this small along a shifted Hessian end in a saddle point
-constexpr int kMostCrawling = 3;       // of them in a row before it is left
-constexpr double kReuseGain = 0.3;     // forces have to fall to this share in a step without a factor of its own
-constexpr double kReuseTurn = 0.05;    // rad; after larger steps a factor is not worth trying
+constexpr double kBalance = 1e-3;           // of the forces before a step: rods are left with that in its trials
+constexpr double kPredictedBalance = 1e-5;  // after a prediction, whose forces are those of a changed design
+constexpr double kCgTolerance = 1e-2;       // of a step by conjugate gradients, in the norm of the preconditioner
+constexpr int kCgIterations = 16;           // cost about as much as one factorisation
+constexpr int kMostChords = 4;              // steps in a run that take the old factor for the present one
+constexpr double kCrawl = 0.01;             // rad; steps this small along a shifted Hessian end in a saddle point
+constexpr int kMostCrawling = 3;            // of them in a row before it is left
+constexpr double kReuseGain = 0.3;          // forces have to fall to this share in a step without a factor of its own
+constexpr double kReuseTurn = 0.05;         // rad; after larger steps a factor is not worth trying
 constexpr double kRunawaySizes = 1e4;
 
 }  // namespace
@@ -50,8 +52,12 @@ void Minimizer::renew_terms() {
 double Minimizer::try_at(double a) {
   if (!path_.at(a, trial_)) return INFINITY;
   if (frames_) frames_->relax(trial_, 2, 0, tolerance_);
-  if (rods_ && predicted_) rods_->relax(trial_, kFirstRelaxation, 0, tolerance_, Crumpled::kMend);
-  if (rods_ && !predicted_) rods_->relax(trial_, 2, shift(), tolerance_);
+  if (rods_) {
+    // No better than the whole will be after this step.
+    const double enough = std::max(tolerance_, (predicted_ ? kPredictedBalance : kBalance) * residual_);
+    if (predicted_) rods_->relax(trial_, kFirstRelaxation, 0, enough, Crumpled::kMend);
+    if (!predicted_) rods_->relax(trial_, 2, shift(), enough);
+  }
   const double v = workspace_.energy(trial_);
   return std::isfinite(v) ? v : INFINITY;
 }
@@ -181,7 +187,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
     }
     // An old factor that no longer brings the forces down has served its time.
     if (!own_factor_ && result.residual > kReuseGain * last_residual) stale_ = false;
-    last_residual = result.residual;
+    last_residual = residual_ = result.residual;
     if (!newton_step()) {
       result.verdict = Verdict::kStalled;
       return result;

@@ -64,6 +64,7 @@ class Minimizer {
   State trial_, best_;
   VecX free_, step_, image_;
   double energy_ = 0, trial_energy_ = 0, taken_ = 0, tolerance_ = 0;
+  double residual_ = 0;  // N, where the step at hand begins
   double predicted_move_ = 0;
   int chords_ = 0;        // steps of this run that took an old factor as it is
   int crawling_ = 0;      // small steps in a row while some direction has negative curvature

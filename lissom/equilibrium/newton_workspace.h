@@ -18,6 +18,8 @@ class NewtonWorkspace {
   const System& system() const { return *problem_.system; }
   const Context& context() const { return context_; }
   LinearSolver& factor() { return factor_; }
+  /// For evaluations of other potentials between those of this one: nothing is kept in them.
+  AssemblyBuffers& buffers() { return buffers_; }
   int factorizations() const { return factorizations_; }
 
   double energy(const State& state);

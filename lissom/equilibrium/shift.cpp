@@ -9,12 +9,17 @@ namespace {
 
 constexpr double kSmallest = 1e-9;
 constexpr double kFirst = 1e-7;  // tried when nothing is known
-constexpr double kGrowth = 8;    // after a failure
-constexpr double kFall = 0.01;   // least share of the last shift that is tried next
+constexpr double kGrowth = 10;   // after a failure
+constexpr double kFall = 0.1;    // least share of the last shift that is tried next
 constexpr int kSubspace = 2;
 constexpr int kSteps = 4;  // of subspace iteration
 
 }  // namespace
+
+double ShiftPolicy::first_shift() const {
+  if (worked_ == 0) return kFirst;
+  return std::max(0.1 * worked_, std::min(10 * worked_, kFirst));
+}
 
 bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
   shift_ = next_;
@@ -23,8 +28,8 @@ bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
       if (shift_ > 0) worked_ = shift_;
       return true;
     }
-    // What was needed last is a better guess than the smallest of all.
-    shift_ = shift_ > 0 ? kGrowth * shift_ : std::max(0.1 * worked_, kFirst);
+    // What was needed last is a better guess than any constant.
+    shift_ = shift_ > 0 ? kGrowth * shift_ : first_shift();
   }
   return false;
 }

@@ -25,6 +25,8 @@ class ShiftPolicy {
   void learn(NewtonWorkspace& workspace);
 
  private:
+  /// To be tried where none was not enough.
+  double first_shift() const;
   /// Lowest eigenvalue of (H, metric) by a few steps of subspace iteration on the present factor.
   double estimate_lowest(NewtonWorkspace& workspace);
 

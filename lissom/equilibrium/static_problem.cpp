@@ -24,8 +24,7 @@ double largest_load(const System& system, const Potential& potential) {
     term->derivatives(state, 0, term->groups(), buffers.gradient.data(), nullptr);
     for (int s = 0; s < term->stencils(); ++s) {
       for (int i = 0; i < term->dofs(); ++i) {
-        load[term->indices()[s * term->dofs() + i]] +=
-            buffers.gradient[((s / kLanes) * term->dofs() + i) * kLanes + s % kLanes];
+        load[term->indices()[s * term->dofs() + i]] += buffers.gradient[static_cast<size_t>(s) * term->dofs() + i];
       }
     }
   }

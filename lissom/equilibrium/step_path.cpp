@@ -15,7 +15,7 @@ StepPathPolicy::StepPathPolicy(NewtonWorkspace& workspace, StepPath path)
       fit_.emplace(workspace.problem());
       if (!fit_->factorize(0)) fit_.reset();
     } else {
-      length_fit_.emplace(workspace.problem(), drift_.can_move());
+      length_fit_.emplace(workspace.problem(), drift_.can_move(), workspace.context().threads);
     }
   }
 }

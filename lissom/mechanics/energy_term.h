@@ -23,8 +23,8 @@ struct StencilDerivatives {
   VecX rest_gradient;  ///< rests: derivative of the energy by the rest quantities
 };
 
-/// Stencils are processed in groups of kLanes; entry e of stencil s of a block array with n entries per stencil
-/// sits at ((s / kLanes) * n + e) * kLanes + s % kLanes. Lanes beyond the last stencil hold copies and are not used.
+/// Stencils are processed in groups of kLanes; entry e of stencil s of a block array with n entries per stencil sits at
+/// s * n + e. Places beyond the last stencil, up to whole groups, hold copies and are not used.
 class EnergyTerm {
  public:
   virtual ~EnergyTerm() = default;

@@ -17,7 +17,7 @@ void sum_run(const double* buffer, const int* target, const int* place, int coun
   for (int i = 0; i < targets; ++i, place += n) {
     double sum = 0;
     for (int k = 0; k < n; ++k) sum += buffer[place[k]];
-    out[target[i]] = sum;
+    out[target[i]] += sum;
   }
 }
 
@@ -36,6 +36,7 @@ std::vector<std::ptrdiff_t> GatherLists::arrange(const std::vector<int>& count) 
   std::ptrdiff_t place = 0;
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(target_.size()); ++i) {
     const int n = count[target_[i]];
+    if (n == 0) continue;
     if (runs_.empty() || runs_.back().count != n) runs_.push_back({n, i, i, place});
     runs_.back().end = i + 1;
     first[target_[i]] = place;

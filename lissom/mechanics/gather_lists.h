@@ -24,7 +24,7 @@ class GatherLists {
     visit([&](int target, std::ptrdiff_t place) { place_[next[target]++] = static_cast<int>(place); });
   }
 
-  /// target[i] = sum of buffer[place] over the places of i, 0 where there are none.
+  /// target[i] += sum of buffer[place] over the places of i.
   void sum(const double* buffer, double* target, ThreadPool* threads) const;
 
  private:

@@ -25,7 +25,26 @@ double chunked_sum(const double* x, std::ptrdiff_t n) {
 }
 
 std::ptrdiff_t block_entry(int stencil, int entries, int entry) {
-  return (static_cast<std::ptrdiff_t>(stencil / kLanes) * entries + entry) * kLanes + stencil % kLanes;
+  return static_cast<std::ptrdiff_t>(stencil) * entries + entry;
+}
+
+/// Buffers that several potentials share never shrink, which would clear them when they grow again. BlockLists read a
+/// little beyond the end.
+void grow(std::vector<double>& buffer, std::ptrdiff_t size) {
+  if (static_cast<std::ptrdiff_t>(buffer.size()) < size + kLanes) buffer.resize(size + kLanes);
+}
+
+/// Whether the unknowns i, i + 1, i + 2 of every stencil are three in a row, and no others of it.
+bool stands_in_threes(const EnergyTerm& term, int i) {
+  if (i + 2 >= term.dofs() || term.stencils() == 0) return false;
+  for (int s = 0; s < term.stencils(); ++s) {
+    const std::span<const int> dof = term.indices().subspan(static_cast<size_t>(s) * term.dofs(), term.dofs());
+    if (dof[i + 1] != dof[i] + 1 || dof[i + 2] != dof[i] + 2) return false;
+    for (int j = 0; j < term.dofs(); ++j) {
+      if (j != i && dof[j] == dof[i]) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -74,6 +93,22 @@ void Potential::replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms) {
 }
 
 void Potential::build_gather() {
+  // Blocks first, so that lists of single entries are told what is left to them.
+  struct Layout {
+    std::vector<int> block, single;  // offsets within a stencil
+  };
+  std::vector<Layout> layouts;
+  for (const auto& term : terms_) {
+    Layout& layout = layouts.emplace_back();
+    for (int i = 0; i < term->dofs();) {
+      if (stands_in_threes(*term, i)) {
+        layout.block.push_back(i);
+        i += 3;
+      } else {
+        layout.single.push_back(i++);
+      }
+    }
+  }
   const auto for_stencils = [&](bool only_hessian, const auto& body) {
     for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
       const EnergyTerm& term = *terms_[t];
@@ -83,18 +118,55 @@ void Potential::build_gather() {
       }
     }
   };
+  for_stencils(false, [&](int t, int s, std::span<const int> dof) {
+    for (const int i : layouts[t].block) {
+      const std::ptrdiff_t first = gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i);
+      gradient_blocks_.add(BlockLists::Part::kRow, {dof[i], 0, 0}, {static_cast<int>(first), {0, 0}});
+    }
+  });
+  gradient_blocks_.arrange();
   gradient_lists_ = GatherLists(dofs(), [&](const auto& emit) {
     for_stencils(false, [&](int t, int s, std::span<const int> dof) {
-      for (int i = 0; i < static_cast<int>(dof.size()); ++i) {
+      for (const int i : layouts[t].single) {
         emit(dof[i], gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i));
       }
     });
   });
+  const auto row_start = [](int i) { return i * (i + 1) / 2; };
+  for_stencils(true, [&](int t, int s, std::span<const int> dof) {
+    for (const int i : layouts[t].block) {
+      for (const int j : layouts[t].block) {
+        if (j > i) break;
+        const std::ptrdiff_t first = hessian_start_[t] + block_entry(s, terms_[t]->hessian_entries(), row_start(i) + j);
+        const BlockSource source{static_cast<int>(first),
+                                 {row_start(i + 1) - row_start(i), row_start(i + 2) - row_start(i)}};
+        const int high = std::max(dof[i], dof[j]), low = std::min(dof[i], dof[j]);
+        if (i == j) {
+          hessian_blocks_.add(
+              BlockLists::Part::kLower,
+              {pattern_.slot(low, low), pattern_.slot(low + 1, low + 1), pattern_.slot(low + 2, low + 2)}, source);
+        } else {
+          hessian_blocks_.add(dof[i] > dof[j] ? BlockLists::Part::kFull : BlockLists::Part::kTransposed,
+                              {pattern_.slot(high, low), pattern_.slot(high, low + 1), pattern_.slot(high, low + 2)},
+                              source);
+        }
+      }
+    }
+  });
+  hessian_blocks_.arrange();
   hessian_lists_ = GatherLists(pattern_.nonzeros(), [&](const auto& emit) {
     for_stencils(true, [&](int t, int s, std::span<const int> dof) {
-      for (int i = 0, k = 0; i < static_cast<int>(dof.size()); ++i) {
-        for (int j = 0; j <= i; ++j, ++k) {
-          emit(pattern_.slot(dof[i], dof[j]), hessian_start_[t] + block_entry(s, terms_[t]->hessian_entries(), k));
+      const auto pair = [&](int i, int j) {
+        emit(pattern_.slot(dof[i], dof[j]),
+             hessian_start_[t] +
+                 block_entry(s, terms_[t]->hessian_entries(), row_start(std::max(i, j)) + std::min(i, j)));
+      };
+      for (const int i : layouts[t].single) {
+        for (const int j : layouts[t].single) {
+          if (j <= i) pair(i, j);
+        }
+        for (const int j : layouts[t].block) {
+          for (int c = 0; c < 3; ++c) pair(i, j + c);
         }
       }
     });
@@ -103,7 +175,7 @@ void Potential::build_gather() {
 
 double Potential::value(const State& state, AssemblyBuffers& buffers, ThreadPool* threads,
                         std::span<double> by_term) const {
-  buffers.energy.resize(energy_start_.back());
+  grow(buffers.energy, energy_start_.back());
   double total = 0;
   for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
     const EnergyTerm& term = *terms_[t];
@@ -119,8 +191,8 @@ double Potential::value(const State& state, AssemblyBuffers& buffers, ThreadPool
 
 void Potential::evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian,
                                 ThreadPool* threads) const {
-  buffers.gradient.resize(gradient_start_.back());
-  if (with_hessian) buffers.hessian.resize(hessian_start_.back());
+  grow(buffers.gradient, gradient_start_.back());
+  if (with_hessian) grow(buffers.hessian, hessian_start_.back());
   for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
     const EnergyTerm& term = *terms_[t];
     double* gradient = buffers.gradient.data() + gradient_start_[t];
@@ -162,17 +234,22 @@ void Potential::turn_block(const Turned& turned, AssemblyBuffers& buffers, bool 
 
 void Potential::gradient(const State& state, VecX& gradient, AssemblyBuffers& buffers, ThreadPool* threads) const {
   evaluate_blocks(state, buffers, false, threads);
-  gradient.resize(dofs());
-  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
+  sum_gradient(buffers, gradient, threads);
 }
 
 void Potential::hessian(const State& state, VecX& gradient, std::vector<double>& values, AssemblyBuffers& buffers,
                         ThreadPool* threads) const {
   evaluate_blocks(state, buffers, true, threads);
-  gradient.resize(dofs());
-  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
-  values.resize(pattern_.nonzeros());
+  sum_gradient(buffers, gradient, threads);
+  values.assign(pattern_.nonzeros(), 0.0);
+  hessian_blocks_.sum(buffers.hessian.data(), values.data(), threads);
   hessian_lists_.sum(buffers.hessian.data(), values.data(), threads);
+}
+
+void Potential::sum_gradient(const AssemblyBuffers& buffers, VecX& gradient, ThreadPool* threads) const {
+  gradient.setZero(dofs());
+  gradient_blocks_.sum(buffers.gradient.data(), gradient.data(), threads);
+  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
 }
 
 void Potential::to_global(VecX& dq) const {

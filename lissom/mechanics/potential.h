@@ -8,6 +8,7 @@
 
 #include "lissom/core/parallel.h"
 #include "lissom/core/sparse_pattern.h"
+#include "lissom/mechanics/block_lists.h"
 #include "lissom/mechanics/energy_term.h"
 #include "lissom/mechanics/gather_lists.h"
 
@@ -65,13 +66,16 @@ class Potential {
   void evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian, ThreadPool* threads) const;
   void turn_block(const Turned& turned, AssemblyBuffers& buffers, bool with_hessian) const;
   void build_gather();
+  void sum_gradient(const AssemblyBuffers& buffers, VecX& gradient, ThreadPool* threads) const;
 
   std::vector<std::unique_ptr<EnergyTerm>> terms_;
   std::vector<LocalAxes> local_axes_;
   std::vector<Turned> turned_;
   SparsePattern pattern_;
   std::vector<std::ptrdiff_t> energy_start_, gradient_start_, hessian_start_;  // per term, into the buffers
-  GatherLists gradient_lists_, hessian_lists_;                                 // per unknown; per slot of the pattern
+  // Per unknown and per slot of the pattern: blocks of three unknowns, and all that is left.
+  BlockLists gradient_blocks_, hessian_blocks_;
+  GatherLists gradient_lists_, hessian_lists_;
 };
 
 }  // namespace lissom

@@ -58,7 +58,10 @@ class StencilTerm final : public EnergyTerm {
     for (int g = begin; g < end; ++g) {
       double* out = energy + static_cast<std::ptrdiff_t>(g) * kLanes;
       if constexpr (HasFastPath<E>) {
-        for_lanes(state, g, [&](const auto& local, int lane) { write(E::energy(local), out, lane); });
+        for_lanes(state, g, [&](const auto& local, int lane) {
+          const auto energy_of = E::energy(local);
+          write(&energy_of, 1, out, lane);
+        });
       } else {
         for (int lane = 0; lane < kLanes; ++lane) {
           const auto& s = stencil(g, lane);
@@ -81,9 +84,8 @@ class StencilTerm final : public EnergyTerm {
           std::array<Lane, E::kDofs> lane_gradient;
           std::array<Lane, kEntries> lane_hessian;
           E::derivatives(local, lane_gradient.data(), hess == nullptr ? nullptr : lane_hessian.data());
-          for (int i = 0; i < E::kDofs; ++i) write(lane_gradient[i], grad + i * kLanes, lane);
-          if (hess == nullptr) return;
-          for (int i = 0; i < kEntries; ++i) write(lane_hessian[i], hess + i * kLanes, lane);
+          write(lane_gradient.data(), E::kDofs, grad, lane);
+          if (hess != nullptr) write(lane_hessian.data(), kEntries, hess, lane);
         });
       } else {
         // Linear terms have no Hessian to look for.
@@ -95,9 +97,9 @@ class StencilTerm final : public EnergyTerm {
           for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]], i);
           for (int i = 0; i < E::kRest; ++i) rest[i] = s.rest[i];
           const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
-          for (int i = 0; i < E::kDofs; ++i) grad[i * kLanes + lane] = v.g[i];
+          for (int i = 0; i < E::kDofs; ++i) grad[lane * E::kDofs + i] = v.g[i];
           if constexpr (E::kHasHessian) {
-            for (int i = 0; i < kEntries && hess != nullptr; ++i) hess[i * kLanes + lane] = v.h[i];
+            for (int i = 0; i < kEntries && hess != nullptr; ++i) hess[lane * kEntries + i] = v.h[i];
           }
         }
       }
@@ -182,8 +184,8 @@ class StencilTerm final : public EnergyTerm {
   const typename E::Stencil& stencil(int group, int lane) const {
     return energy_.stencils[std::min(group * kLanes + lane, stencils() - 1)];
   }
-  static void write(const Pack& x, double* out, int) { x.store(out); }
-  static void write(double x, double* out, int lane) { out[lane] = x; }
+  static void write(const Pack* x, int n, double* out, int) { store_lanes(x, n, out); }
+  static void write(const double* x, int n, double* out, int lane) { std::copy(x, x + n, out + lane * n); }
 
   /// Calls f(local, lane): once for a whole pack, or lane by lane for kernels on doubles.
   template <class F>

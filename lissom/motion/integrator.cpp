@@ -50,7 +50,7 @@ void Integrator::split_loads() {
       term->derivatives(state, 0, term->groups(), buffers_.gradient.data(), nullptr);
       for (int s = 0; s < term->stencils(); ++s) {
         for (int i = 0; i < n; ++i) {
-          const size_t place = static_cast<size_t>((s / kLanes) * n + i) * kLanes + s % kLanes;
+          const size_t place = static_cast<size_t>(s) * n + i;
           load[term->indices()[s * n + i]] -= buffers_.gradient[place];
         }
       }

@@ -41,7 +41,7 @@ Result<double> cut_force(const Measurement& m, Carrier carrier) {
       for (int i = 0; i < dofs; ++i) {
         const int dof = term->indices()[static_cast<size_t>(stencil) * dofs + i];
         if (s.system->layout.dof_class(dof) != DofClass::kPosition || !behind(dof / 3)) continue;
-        force[dof % 3] -= gradient[((stencil / kLanes) * dofs + i) * kLanes + stencil % kLanes];
+        force[dof % 3] -= gradient[static_cast<size_t>(stencil) * dofs + i];
       }
     }
   }

@@ -42,9 +42,7 @@ inline TermReport check_term(EnergyTerm& term, const DofLayout& layout, const St
       hessian(energy.size() * term.hessian_entries());
   term.energies(state, 0, term.groups(), energy.data());
   term.derivatives(state, 0, term.groups(), gradient.data(), term.has_hessian() ? hessian.data() : nullptr);
-  const auto at = [&](int stencil, int entries, int e) {
-    return ((stencil / Pack::kLanes) * entries + e) * Pack::kLanes + stencil % Pack::kLanes;
-  };
+  const auto at = [&](int stencil, int entries, int e) { return stencil * entries + e; };
   const int stride = std::max(1, term.stencils() / most_stencils);
   VecX zero = VecX::Zero(state.q.size());
   for (int s = 0; s < term.stencils(); s += stride) {
