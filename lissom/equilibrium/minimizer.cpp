@@ -21,6 +21,7 @@ constexpr int kFirstRelaxation = 8;
 constexpr double kBalance = 1e-3;           // of the forces before a step: rods are left with that in its trials
 constexpr double kPredictedBalance = 1e-5;  // after a prediction, whose forces are those of a changed design
 constexpr double kCgTolerance = 1e-2;       // of a step by conjugate gradients, in the norm of the preconditioner
+constexpr double kCgFinest = 1e-4;          // where that ends the solve
 constexpr int kCgIterations = 16;           // cost about as much as one factorisation
 constexpr int kMostChords = 4;              // steps in a run that take the old factor for the present one
 constexpr double kCrawl = 0.01;             // rad; steps this small along a shifted Hessian end in a saddle point
@@ -115,7 +116,9 @@ bool Minimizer::newton_step() {
   if (stale_) {
     own_factor_ = false;
     image_ = free_;
-    const CgEnd end = cg_.solve(workspace_, image_, kCgTolerance, kCgIterations, free_);
+    // The last step is worth a few more of them, as it saves an iteration.
+    const double wanted = std::clamp(0.1 * tolerance_ / residual_, kCgFinest, kCgTolerance);
+    const CgEnd end = cg_.solve(workspace_, image_, wanted, kCgIterations, free_);
     if (end == CgEnd::kConverged) return true;
     free_ = image_;
     if (end == CgEnd::kNegative && chords_ < kMostChords) {

@@ -58,13 +58,18 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
     }
   }
   std::sort(entries.begin(), entries.end());
+  const auto boxes_apart = [&](std::size_t a, std::size_t b) {
+    const Vec2 gap = start(a).cwiseMin(end(a)).cwiseMax(start(b).cwiseMin(end(b))) -
+                     start(a).cwiseMax(end(a)).cwiseMin(start(b).cwiseMax(end(b)));
+    return gap.maxCoeff() > distance;
+  };
   std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (std::size_t j = i + 1; j < entries.size(); ++j) {
       if (entries[j][0] != entries[i][0] || entries[j][1] != entries[i][1]) break;
       const auto a = static_cast<std::size_t>(entries[i][2]), b = static_cast<std::size_t>(entries[j][2]);
-      if (segment_distance(start(a), end(a), start(b), end(b)) <= distance)
-        pairs.push_back({entries[i][2], entries[j][2]});
+      if (boxes_apart(a, b) || segment_distance(start(a), end(a), start(b), end(b)) > distance) continue;
+      pairs.push_back({entries[i][2], entries[j][2]});
     }
   }
   std::sort(pairs.begin(), pairs.end());

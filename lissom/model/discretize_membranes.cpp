@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
-#include <map>
 #include <utility>
 
 #include "lissom/core/nearest_name.h"
@@ -84,25 +84,34 @@ Status add_hinges(Draft& draft, size_t m) {
   Structure& s = draft.structure;
   const StructureMembrane& membrane = s.membranes[m];
   const int end = membrane.first_triangle + membrane.triangles;
-  std::map<std::pair<int, int>, std::pair<int, int>> half_edges;  // from, to: triangle, opposite corner
-  for (int t = membrane.first_triangle; t < end; ++t) {
-    const std::array<int, 3>& node = s.triangles[t].node;
-    for (int i = 0; i < 3; ++i) {
-      const int a = node[i], b = node[(i + 1) % 3];
-      if (!half_edges.emplace(std::pair(a, b), std::pair(t, node[(i + 2) % 3])).second) {
-        return not_a_surface(draft, m, a, "has an edge that two triangles run along in the same direction",
-                             "turn one of them around; at most two triangles meet at an edge");
-      }
-    }
+  const auto corner = [&](int place, int next) { return s.triangles[place / 3].node[(place + next) % 3]; };
+  struct HalfEdge {
+    std::int64_t ends;
+    int place;  // three times the triangle, and the corner that it begins at
+    auto operator<=>(const HalfEdge&) const = default;
+  };
+  const auto ends_of = [](int a, int b) { return (static_cast<std::int64_t>(a) << 32) + b; };
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(static_cast<size_t>(3) * membrane.triangles);
+  for (int place = 3 * membrane.first_triangle; place < 3 * end; ++place) {
+    half_edges.push_back({ends_of(corner(place, 0), corner(place, 1)), place});
+  }
+  std::sort(half_edges.begin(), half_edges.end());
+  int twice = 3 * end;  // first place that runs along another one's edge in its direction
+  for (size_t i = 1; i < half_edges.size(); ++i) {
+    if (half_edges[i].ends == half_edges[i - 1].ends) twice = std::min(twice, half_edges[i].place);
+  }
+  if (twice < 3 * end) {
+    return not_a_surface(draft, m, corner(twice, 0), "has an edge that two triangles run along in the same direction",
+                         "turn one of them around; at most two triangles meet at an edge");
   }
   for (int t = membrane.first_triangle; t < end; ++t) {
-    const std::array<int, 3>& node = s.triangles[t].node;
-    for (int i = 0; i < 3; ++i) {
-      const int a = node[i], b = node[(i + 1) % 3];
-      const auto other = half_edges.find({b, a});
-      if (other == half_edges.end() || other->second.first < t) continue;
+    for (int place = 3 * t; place < 3 * t + 3; ++place) {
+      const int a = corner(place, 0), b = corner(place, 1);
+      const auto other = std::lower_bound(half_edges.begin(), half_edges.end(), HalfEdge{ends_of(b, a), 0});
+      if (other == half_edges.end() || other->ends != ends_of(b, a) || other->place / 3 < t) continue;
       StructureHinge hinge{
-          {a, b, node[(i + 2) % 3], other->second.second}, static_cast<int>(m), {t, other->second.first}, 0};
+          {a, b, corner(place, 2), corner(other->place, 2)}, static_cast<int>(m), {t, other->place / 3}, 0};
       if (draft.model.membranes[m].rest_folds == RestFolds::kAsDrawn) {
         hinge.rest_angle = fold_angle<double>(s.nodes[hinge.node[0]], s.nodes[hinge.node[1]], s.nodes[hinge.node[2]],
                                               s.nodes[hinge.node[3]]);
