@@ -11,18 +11,20 @@
 namespace lissom {
 
 class Pack {
+  typedef double Lanes __attribute__((vector_size(lissom::kLanes * sizeof(double))));
+
  public:
   static constexpr int kLanes = lissom::kLanes;
 
   Pack() = default;
-  Pack(double x) : lane_{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs
+  Pack(double x) : lanes_{x, x, x, x} {}  // NOLINT(google-explicit-constructor): constants mix freely with packs
 
-  double operator[](int lane) const { return lane_[lane]; }
-  void set(int lane, double x) { lane_[lane] = x; }
-  void store(double* p) const { std::memcpy(p, lane_, sizeof lane_); }
+  double operator[](int lane) const { return lanes_[lane]; }
+  void set(int lane, double x) { lanes_[lane] = x; }
+  void store(double* p) const { std::memcpy(p, &lanes_, sizeof lanes_); }
   static Pack load(const double* p) {
     Pack x;
-    std::memcpy(x.lane_, p, sizeof x.lane_);
+    std::memcpy(&x.lanes_, p, sizeof x.lanes_);
     return x;
   }
 
@@ -39,17 +41,11 @@ class Pack {
   friend void store_lanes(const Pack* x, int n, double* out);
 
  private:
-  typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
   // Always inlined: a call would pass the vector differently in sources compiled for other processors.
-  [[gnu::always_inline]] explicit Pack(Lanes lanes) { std::memcpy(lane_, &lanes, sizeof lane_); }
-  [[gnu::always_inline]] Lanes lanes() const {
-    Lanes lanes;
-    std::memcpy(&lanes, lane_, sizeof lane_);
-    return lanes;
-  }
+  [[gnu::always_inline]] explicit Pack(Lanes lanes) : lanes_(lanes) {}
+  [[gnu::always_inline]] Lanes lanes() const { return lanes_; }
 
-  // Stored as an array, so that single lanes are ordinary stores; the copies above become vector loads.
-  double lane_[kLanes] = {};
+  Lanes lanes_ = {};
 };
 
 /// The n numbers of each lane one after the other, lane by lane.

@@ -25,6 +25,7 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
     if (can_move[i]) ++movable_;
     if (takes_part[i] && can_move[i]) {
       kept_[i] = unknowns_++;
+      dof_.push_back(i);
       if (layout.dof_class(i) == DofClass::kPosition) ++positions_;
     }
   }
@@ -36,7 +37,7 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
     for (int i = 0; i < 3; ++i) touched_[axes.first_dof + i] = any;
   }
   potential_.emplace(whole.dofs(), touching_terms(),
-                     std::vector<LocalAxes>(whole.local_axes().begin(), whole.local_axes().end()));
+                     std::vector<LocalAxes>(whole.local_axes().begin(), whole.local_axes().end()), touched_);
   factor_.emplace(potential_->pattern(), kept_, LinearSolverOptions{.threads = workspace.context().threads});
   g_.resize(unknowns_);
   metric_.resize(unknowns_);
@@ -60,7 +61,8 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
   bool changed = false;
   double energy = 0;  // of the part at the state
   double added = 0;   // to the shift, where the matrix needed it
-  const DofLayout& layout = workspace_.system().layout;
+  for (int u = 0; u < unknowns_; ++u)
+    metric_[u] = workspace_.class_metric(workspace_.system().layout.dof_class(dof_[u]));
   for (int k = 0; k < steps; ++k) {
     if (k > 0) {  // often the last step was enough, and a gradient tells
       potential_->gradient(state, gradient_, workspace_.buffers(), workspace_.context().threads);
@@ -68,11 +70,7 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
     }
     potential_->hessian(state, gradient_, hessian_, workspace_.buffers(), workspace_.context().threads);
     if (!(residual() > tolerance)) return changed;
-    for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
-      if (kept_[i] < 0) continue;
-      g_[kept_[i]] = gradient_[i];
-      metric_[kept_[i]] = workspace_.class_metric(layout.dof_class(i));
-    }
+    for (int u = 0; u < unknowns_; ++u) g_[u] = gradient_[dof_[u]];
     const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
     added = added > kLeastShift ? added / kShiftFall : 0;
     while (!factor_->factorize(hessian_, shift + added, metric, Indefinite::kStop).positive_definite) {
@@ -92,11 +90,8 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
 
 double BlockRelaxer::residual() const {
   double force = 0, moment = 0;
-  for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
-    if (kept_[i] < 0) continue;
-    double& largest = kept_[i] < positions_ ? force : moment;
-    largest = std::max(largest, std::abs(gradient_[i]));
-  }
+  for (int u = 0; u < positions_; ++u) force = std::max(force, std::abs(gradient_[dof_[u]]));
+  for (int u = positions_; u < unknowns_; ++u) moment = std::max(moment, std::abs(gradient_[dof_[u]]));
   return std::max(force, moment / workspace_.system().rest.mean_edge_length);
 }
 
@@ -104,9 +99,7 @@ bool BlockRelaxer::descend(State& state, double slope, double& energy) {
   const double turn = positions_ < unknowns_ ? d_.tail(unknowns_ - positions_).cwiseAbs().maxCoeff() : 0;
   double a = turn > kMostTurn ? kMostTurn / turn : 1;
   step_.setZero(static_cast<int>(kept_.size()));
-  for (int i = 0; i < static_cast<int>(kept_.size()); ++i) {
-    if (kept_[i] >= 0) step_[i] = d_[kept_[i]];
-  }
+  for (int u = 0; u < unknowns_; ++u) step_[dof_[u]] = d_[u];
   potential_->to_global(step_);
   for (int attempt = 0; attempt < 3; ++attempt, a *= 0.4) {
     increment_ = a * step_;

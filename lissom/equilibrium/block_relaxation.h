@@ -37,7 +37,7 @@ class BlockRelaxer {
   std::vector<std::unique_ptr<EnergyTerm>> touching_terms() const;
 
   NewtonWorkspace& workspace_;
-  std::vector<int> kept_;
+  std::vector<int> kept_, dof_;       // unknown of the part by unknown of the whole, -1: none; and back
   int unknowns_ = 0, positions_ = 0;  // of the part; the positions come first
   int movable_ = 0;                   // of the whole
   std::vector<bool> touched_;

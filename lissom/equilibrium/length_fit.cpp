@@ -11,7 +11,7 @@ constexpr double kStiff = 1e5;        // kappa: strain counts this much more tha
 constexpr double kAnchor = 3e-3;      // pull of every node to its place in the trial, times 1 / l
 constexpr double kMostStrain = 0.02;  // by which a step may change the strain of an edge
 constexpr int kSteps = 8;
-constexpr double kDone = 1e-7;  // of an edge length
+constexpr double kAlmost = 3e-4;  // of an edge length: the next step, the square of this, would be rounding to a rod
 
 }  // namespace
 
@@ -41,8 +41,11 @@ LengthFit::LengthFit(const StaticProblem& problem, const std::vector<bool>& can_
     }
   }
   axes_.assign(system.layout.nodes(), Mat3::Identity());
+  turned_.assign(system.layout.nodes(), false);
   for (const LocalAxes& local : problem.potential.local_axes()) {
-    if (local.first_dof < positions) axes_[local.first_dof / 3] = local.axes;
+    if (local.first_dof >= positions) continue;
+    axes_[local.first_dof / 3] = local.axes;
+    turned_[local.first_dof / 3] = true;
   }
   kept_.assign(positions, -1);
   int unknowns = 0;
@@ -89,8 +92,13 @@ bool LengthFit::mend(const State& state, double a, const VecX& d, std::span<cons
       force_.segment<3>(3 * edge.node1) -= f;
       force_.segment<3>(3 * edge.node0) += f;
       const Mat3 k = (Mat3::Identity() + kStiff * t * t.transpose()) / rest;
-      const Mat3 &a0 = axes_[edge.node0], &a1 = axes_[edge.node1];
-      const Mat3 k00 = a0.transpose() * k * a0, k11 = a1.transpose() * k * a1, k10 = -(a1.transpose() * k * a0);
+      Mat3 k00 = k, k11 = k, k10 = -k;
+      if (turned_[edge.node0] || turned_[edge.node1]) {
+        const Mat3 &a0 = axes_[edge.node0], &a1 = axes_[edge.node1];
+        k00 = a0.transpose() * k * a0;
+        k11 = a1.transpose() * k * a1;
+        k10 = -(a1.transpose() * k * a0);
+      }
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
           if (j <= i) {
@@ -113,7 +121,7 @@ bool LengthFit::mend(const State& state, double a, const VecX& d, std::span<cons
     }
     problem_.potential.to_global(work_);
     mended_ += work_;
-    if (b_.cwiseAbs().maxCoeff() < kDone * system.rest.mean_edge_length) break;
+    if (b_.cwiseAbs().maxCoeff() < kAlmost * system.rest.mean_edge_length) break;
   }
   follow_.spread(mended_);
   increment += mended_;

@@ -26,8 +26,9 @@ class LengthFit {
  private:
   const StaticProblem& problem_;
   std::vector<int> kept_;
-  std::vector<Mat3> axes_;  // per node, of its local axes
-  std::vector<int> slots_;  // of the blocks of each edge, in the order in which they are filled
+  std::vector<Mat3> axes_;    // per node, of its local axes
+  std::vector<bool> turned_;  // nodes whose axes are not x, y, z
+  std::vector<int> slots_;    // of the blocks of each edge, in the order in which they are filled
   std::optional<LinearSolver> solver_;
   MembraneFollow follow_;
   std::vector<double> values_, metric_, target_;

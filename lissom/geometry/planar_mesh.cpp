@@ -13,7 +13,6 @@
 #include <exception>
 #include <fmt/format.h>
 #include <numbers>
-#include <numeric>
 
 #include "lissom/geometry/planar_smoothing.h"
 
@@ -196,24 +195,6 @@ Status check_numbers(const PlanarRegion& region, const std::string& where) {
                fmt::format("use longer edges: at most {} triangles", kMostTriangles)};
 }
 
-/// Along a Hilbert curve, so that neighbours in the list are neighbours in the plane: assembly finds them in the cache.
-void sort_in_space(const std::vector<Vec2>& points, std::vector<std::array<int, 3>>& triangles) {
-  std::vector<Point> centres;
-  for (const auto& t : triangles) {
-    const Vec2 sum = points[static_cast<std::size_t>(t[0])] + points[static_cast<std::size_t>(t[1])] +
-                     points[static_cast<std::size_t>(t[2])];
-    centres.emplace_back(sum.x() / 3, sum.y() / 3);
-  }
-  std::vector<std::ptrdiff_t> order(triangles.size());
-  std::iota(order.begin(), order.end(), std::ptrdiff_t{0});
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, const Point*>(centres.data()));
-  std::vector<std::array<int, 3>> sorted;
-  sorted.reserve(triangles.size());
-  for (const std::ptrdiff_t t : order) sorted.push_back(triangles[static_cast<std::size_t>(t)]);
-  triangles = std::move(sorted);
-}
-
 Result<PlanarMesh> make_mesh(const PlanarRegion& region, const std::string& where) {
   Mesh mesh(region, where);
   PlanarMesh out;
@@ -226,7 +207,6 @@ Result<PlanarMesh> make_mesh(const PlanarRegion& region, const std::string& wher
     out.triangles = mesh.triangles();
   }
   open_worst_angles(out.points, region.points.size(), out.triangles, region.min_angle);
-  sort_in_space(out.points, out.triangles);
   out.smallest_angle = std::numbers::pi;
   for (std::size_t t = 0; t < out.triangles.size(); ++t) {
     const auto& [a, b, c] = out.triangles[t];

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lissom/core/parallel.h"
-
 namespace lissom {
 
 /// Where a block stands in the buffer: rows of three entries, at `first` and at the distances given behind it. Four entries
@@ -32,26 +30,42 @@ class BlockLists {
   using Columns = std::array<int, 3>;
 
   void add(Part part, const Columns& target, const BlockSource& source);
-  /// Sorts what was added; to be called once, before sums.
+  /// Sorts what was added; to be called once, before anything is summed.
   void arrange();
 
-  /// Adds to the targets.
-  void sum(const double* buffer, double* target, ThreadPool* threads) const;
+  /// The sums are cut into pieces that may run on any thread, each of which adds to targets of its own.
+  int pieces() const { return static_cast<int>(pieces_.size()); }
+  void add_piece(int piece, const double* buffer, double* target) const;
 
  private:
+  enum class Shape { kPair, kLower, kRow };
+  static constexpr int kShapes = 3;
   struct Entry {
     Columns target;
+    bool transposed;
     BlockSource source;
   };
   struct Block {
     Columns target;
-    int end;  // of its sources, behind those of the block before
+    int plain_end, end;  // of its sources, behind those of the block before: as they stand, then transposed
   };
-  static constexpr int kParts = 4;
+  struct Piece {
+    Shape shape;
+    int begin, end;  // blocks
+  };
+  struct List {
+    std::vector<Entry> added;
+    std::vector<Block> blocks;
+    std::vector<BlockSource> sources;
 
-  std::array<std::vector<Entry>, kParts> added_;
-  std::array<std::vector<Block>, kParts> blocks_;
-  std::array<std::vector<BlockSource>, kParts> sources_;
+    void arrange();
+  };
+
+  template <Shape S>
+  static void add_blocks(const List& list, int begin, int end, const double* buffer, double* target);
+
+  std::array<List, kShapes> lists_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace lissom

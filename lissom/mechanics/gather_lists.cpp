@@ -8,7 +8,7 @@ namespace lissom {
 
 namespace {
 
-constexpr int kGrain = 8192;
+constexpr int kGrain = 4096;  // targets of a piece
 
 /// `Count` places per target; 0: as many as `count` says.
 template <int Count>
@@ -43,18 +43,20 @@ std::vector<std::ptrdiff_t> GatherLists::arrange(const std::vector<int>& count) 
     place += n;
   }
   place_.resize(place);
+  for (const Run& run : runs_) {
+    for (std::ptrdiff_t begin = run.begin; begin < run.end; begin += kGrain) {
+      pieces_.push_back(
+          {run.count, begin, std::min(run.end, begin + kGrain), run.first_place + (begin - run.begin) * run.count});
+    }
+  }
   return first;
 }
 
-void GatherLists::sum(const double* buffer, double* target, ThreadPool* threads) const {
-  for (const Run& run : runs_) {
-    parallel_for(threads, static_cast<int>(run.end - run.begin), kGrain, [&](int begin, int end) {
-      const int* targets = target_.data() + run.begin + begin;
-      const int* places = place_.data() + run.first_place + static_cast<std::ptrdiff_t>(begin) * run.count;
-      const size_t length = run.count < static_cast<int>(kSumRun.size()) ? run.count : 0;
-      kSumRun[length](buffer, targets, places, run.count, end - begin, target);
-    });
-  }
+void GatherLists::add_piece(int piece, const double* buffer, double* target) const {
+  const Run& run = pieces_[piece];
+  const size_t length = run.count < static_cast<int>(kSumRun.size()) ? run.count : 0;
+  kSumRun[length](buffer, target_.data() + run.begin, place_.data() + run.first_place, run.count,
+                  static_cast<int>(run.end - run.begin), target);
 }
 
 }  // namespace lissom

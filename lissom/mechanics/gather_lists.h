@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lissom/core/parallel.h"
-
 namespace lissom {
 
 class GatherLists {
@@ -24,8 +22,9 @@ class GatherLists {
     visit([&](int target, std::ptrdiff_t place) { place_[next[target]++] = static_cast<int>(place); });
   }
 
-  /// target[i] += sum of buffer[place] over the places of i.
-  void sum(const double* buffer, double* target, ThreadPool* threads) const;
+  /// The work is cut into pieces that may run on any thread: target[i] += sum of buffer[place] over the places of i.
+  int pieces() const { return static_cast<int>(pieces_.size()); }
+  void add_piece(int piece, const double* buffer, double* target) const;
 
  private:
   /// Targets with the same number of places.
@@ -37,7 +36,7 @@ class GatherLists {
   /// Sorts the targets by count; returns where the places of each begin.
   std::vector<std::ptrdiff_t> arrange(const std::vector<int>& count);
 
-  std::vector<Run> runs_;
+  std::vector<Run> runs_, pieces_;
   std::vector<int> target_;
   std::vector<int> place_;
 };

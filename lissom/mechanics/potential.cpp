@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kGroupGrain = 64;
 constexpr int kSumChunk = 256;
+constexpr int kClearGrain = 16384;
 
 /// Sum in chunks of fixed size: smaller rounding than a running sum, same bytes always.
 double chunked_sum(const double* x, std::ptrdiff_t n) {
@@ -34,22 +35,10 @@ void grow(std::vector<double>& buffer, std::ptrdiff_t size) {
   if (static_cast<std::ptrdiff_t>(buffer.size()) < size + kLanes) buffer.resize(size + kLanes);
 }
 
-/// Whether the unknowns i, i + 1, i + 2 of every stencil are three in a row, and no others of it.
-bool stands_in_threes(const EnergyTerm& term, int i) {
-  if (i + 2 >= term.dofs() || term.stencils() == 0) return false;
-  for (int s = 0; s < term.stencils(); ++s) {
-    const std::span<const int> dof = term.indices().subspan(static_cast<size_t>(s) * term.dofs(), term.dofs());
-    if (dof[i + 1] != dof[i] + 1 || dof[i + 2] != dof[i] + 2) return false;
-    for (int j = 0; j < term.dofs(); ++j) {
-      if (j != i && dof[j] == dof[i]) return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
-Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, std::vector<LocalAxes> local_axes)
+Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, std::vector<LocalAxes> local_axes,
+                     const std::vector<bool>& wanted)
     : terms_(std::move(terms)), local_axes_(std::move(local_axes)) {
   std::vector<int> groups, offsets{0};
   std::vector<int> axes_of(dofs, -1);
@@ -57,6 +46,9 @@ Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, s
   std::ptrdiff_t energy = 0, gradient = 0, hessian = 0;
   for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
     const EnergyTerm& term = *terms_[t];
+    for (int g = 0; g < term.groups(); g += kGroupGrain) {
+      pieces_.push_back({t, g, std::min(term.groups(), g + kGroupGrain)});
+    }
     energy_start_.push_back(energy);
     gradient_start_.push_back(gradient);
     hessian_start_.push_back(hessian);
@@ -69,7 +61,7 @@ Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, s
       for (int i = 0; i < term.dofs(); ++i) {
         const int dof = indices[static_cast<size_t>(s) * term.dofs() + i];
         if (axes_of[dof] >= 0) turned_.push_back({t, s, i, axes_of[dof]});
-        if (term.has_hessian()) groups.push_back(dof);
+        if (term.has_hessian()) groups.push_back(wanted.empty() || wanted[dof] ? dof : -1);
       }
       if (term.has_hessian()) offsets.push_back(static_cast<int>(groups.size()));
     }
@@ -79,7 +71,7 @@ Potential::Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, s
   hessian_start_.push_back(hessian);
   LISSOM_ASSERT(hessian < (std::ptrdiff_t{1} << 31) && gradient < (std::ptrdiff_t{1} << 31));
   pattern_ = SparsePattern(dofs, groups, offsets);
-  build_gather();
+  lists_ = AssemblyLists(terms_, pattern_, gradient_start_, hessian_start_);
 }
 
 void Potential::replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms) {
@@ -92,114 +84,45 @@ void Potential::replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms) {
   terms_ = std::move(terms);
 }
 
-void Potential::build_gather() {
-  // Blocks first, so that lists of single entries are told what is left to them.
-  struct Layout {
-    std::vector<int> block, single;  // offsets within a stencil
-  };
-  std::vector<Layout> layouts;
-  for (const auto& term : terms_) {
-    Layout& layout = layouts.emplace_back();
-    for (int i = 0; i < term->dofs();) {
-      if (stands_in_threes(*term, i)) {
-        layout.block.push_back(i);
-        i += 3;
-      } else {
-        layout.single.push_back(i++);
-      }
-    }
-  }
-  const auto for_stencils = [&](bool only_hessian, const auto& body) {
-    for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
-      const EnergyTerm& term = *terms_[t];
-      if (only_hessian && !term.has_hessian()) continue;
-      for (int s = 0; s < term.stencils(); ++s) {
-        body(t, s, term.indices().subspan(static_cast<size_t>(s) * term.dofs(), term.dofs()));
-      }
-    }
-  };
-  for_stencils(false, [&](int t, int s, std::span<const int> dof) {
-    for (const int i : layouts[t].block) {
-      const std::ptrdiff_t first = gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i);
-      gradient_blocks_.add(BlockLists::Part::kRow, {dof[i], 0, 0}, {static_cast<int>(first), {0, 0}});
-    }
-  });
-  gradient_blocks_.arrange();
-  gradient_lists_ = GatherLists(dofs(), [&](const auto& emit) {
-    for_stencils(false, [&](int t, int s, std::span<const int> dof) {
-      for (const int i : layouts[t].single) {
-        emit(dof[i], gradient_start_[t] + block_entry(s, terms_[t]->dofs(), i));
-      }
-    });
-  });
-  const auto row_start = [](int i) { return i * (i + 1) / 2; };
-  for_stencils(true, [&](int t, int s, std::span<const int> dof) {
-    for (const int i : layouts[t].block) {
-      for (const int j : layouts[t].block) {
-        if (j > i) break;
-        const std::ptrdiff_t first = hessian_start_[t] + block_entry(s, terms_[t]->hessian_entries(), row_start(i) + j);
-        const BlockSource source{static_cast<int>(first),
-                                 {row_start(i + 1) - row_start(i), row_start(i + 2) - row_start(i)}};
-        const int high = std::max(dof[i], dof[j]), low = std::min(dof[i], dof[j]);
-        if (i == j) {
-          hessian_blocks_.add(
-              BlockLists::Part::kLower,
-              {pattern_.slot(low, low), pattern_.slot(low + 1, low + 1), pattern_.slot(low + 2, low + 2)}, source);
-        } else {
-          hessian_blocks_.add(dof[i] > dof[j] ? BlockLists::Part::kFull : BlockLists::Part::kTransposed,
-                              {pattern_.slot(high, low), pattern_.slot(high, low + 1), pattern_.slot(high, low + 2)},
-                              source);
-        }
-      }
-    }
-  });
-  hessian_blocks_.arrange();
-  hessian_lists_ = GatherLists(pattern_.nonzeros(), [&](const auto& emit) {
-    for_stencils(true, [&](int t, int s, std::span<const int> dof) {
-      const auto pair = [&](int i, int j) {
-        emit(pattern_.slot(dof[i], dof[j]),
-             hessian_start_[t] +
-                 block_entry(s, terms_[t]->hessian_entries(), row_start(std::max(i, j)) + std::min(i, j)));
-      };
-      for (const int i : layouts[t].single) {
-        for (const int j : layouts[t].single) {
-          if (j <= i) pair(i, j);
-        }
-        for (const int j : layouts[t].block) {
-          for (int c = 0; c < 3; ++c) pair(i, j + c);
-        }
-      }
-    });
-  });
-}
-
 double Potential::value(const State& state, AssemblyBuffers& buffers, ThreadPool* threads,
                         std::span<double> by_term) const {
   grow(buffers.energy, energy_start_.back());
+  parallel_for(threads, static_cast<int>(pieces_.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const Piece& p = pieces_[i];
+      terms_[p.term]->energies(state, p.begin, p.end, buffers.energy.data() + energy_start_[p.term]);
+    }
+  });
   double total = 0;
   for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
-    const EnergyTerm& term = *terms_[t];
-    double* energy = buffers.energy.data() + energy_start_[t];
-    parallel_for(threads, term.groups(), kGroupGrain,
-                 [&](int begin, int end) { term.energies(state, begin, end, energy); });
-    const double sum = chunked_sum(energy, term.stencils());
+    const double sum = chunked_sum(buffers.energy.data() + energy_start_[t], terms_[t]->stencils());
     if (!by_term.empty()) by_term[t] = sum;
     total += sum;
   }
   return total;
 }
 
-void Potential::evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian,
+void Potential::evaluate_blocks(const State& state, AssemblyBuffers& buffers, std::span<double> hessian_values,
                                 ThreadPool* threads) const {
+  const bool with_hessian = !hessian_values.empty();
   grow(buffers.gradient, gradient_start_.back());
   if (with_hessian) grow(buffers.hessian, hessian_start_.back());
-  for (int t = 0; t < static_cast<int>(terms_.size()); ++t) {
-    const EnergyTerm& term = *terms_[t];
-    double* gradient = buffers.gradient.data() + gradient_start_[t];
-    double* hessian = with_hessian && term.has_hessian() ? buffers.hessian.data() + hessian_start_[t] : nullptr;
-    parallel_for(threads, term.groups(), kGroupGrain,
-                 [&](int begin, int end) { term.derivatives(state, begin, end, gradient, hessian); });
-  }
+  const int pieces = static_cast<int>(pieces_.size());
+  const int clears = static_cast<int>(hessian_values.size() / kClearGrain + 1);
+  parallel_for(threads, pieces + clears, 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (i >= pieces) {
+        const size_t first = static_cast<size_t>(i - pieces) * kClearGrain;
+        const std::span<double> rest = hessian_values.subspan(std::min(first, hessian_values.size()));
+        std::fill_n(rest.begin(), std::min<size_t>(kClearGrain, rest.size()), 0.0);
+        continue;
+      }
+      const Piece& p = pieces_[i];
+      const EnergyTerm& term = *terms_[p.term];
+      double* hessian = with_hessian && term.has_hessian() ? buffers.hessian.data() + hessian_start_[p.term] : nullptr;
+      term.derivatives(state, p.begin, p.end, buffers.gradient.data() + gradient_start_[p.term], hessian);
+    }
+  });
   for (const Turned& turned : turned_) turn_block(turned, buffers, with_hessian);
 }
 
@@ -233,23 +156,17 @@ void Potential::turn_block(const Turned& turned, AssemblyBuffers& buffers, bool 
 }
 
 void Potential::gradient(const State& state, VecX& gradient, AssemblyBuffers& buffers, ThreadPool* threads) const {
-  evaluate_blocks(state, buffers, false, threads);
-  sum_gradient(buffers, gradient, threads);
+  evaluate_blocks(state, buffers, {}, threads);
+  gradient.setZero(dofs());
+  lists_.add_gradient(buffers.gradient.data(), gradient.data(), threads);
 }
 
 void Potential::hessian(const State& state, VecX& gradient, std::vector<double>& values, AssemblyBuffers& buffers,
                         ThreadPool* threads) const {
-  evaluate_blocks(state, buffers, true, threads);
-  sum_gradient(buffers, gradient, threads);
-  values.assign(pattern_.nonzeros(), 0.0);
-  hessian_blocks_.sum(buffers.hessian.data(), values.data(), threads);
-  hessian_lists_.sum(buffers.hessian.data(), values.data(), threads);
-}
-
-void Potential::sum_gradient(const AssemblyBuffers& buffers, VecX& gradient, ThreadPool* threads) const {
+  values.resize(pattern_.nonzeros());
+  evaluate_blocks(state, buffers, values, threads);
   gradient.setZero(dofs());
-  gradient_blocks_.sum(buffers.gradient.data(), gradient.data(), threads);
-  gradient_lists_.sum(buffers.gradient.data(), gradient.data(), threads);
+  lists_.add_all(buffers.gradient.data(), gradient.data(), buffers.hessian.data(), values.data(), threads);
 }
 
 void Potential::to_global(VecX& dq) const {

@@ -8,9 +8,8 @@
 
 #include "lissom/core/parallel.h"
 #include "lissom/core/sparse_pattern.h"
-#include "lissom/mechanics/block_lists.h"
+#include "lissom/mechanics/assembly_lists.h"
 #include "lissom/mechanics/energy_term.h"
-#include "lissom/mechanics/gather_lists.h"
 
 namespace lissom {
 
@@ -28,8 +27,10 @@ struct AssemblyBuffers {
 
 class Potential {
  public:
-  /// Gradients and Hessians come out in the local axes given.
-  Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, std::vector<LocalAxes> local_axes = {});
+  /// Gradients and Hessians come out in the local axes given. Unless `wanted` is empty, the pattern has rows and columns of
+  /// the marked unknowns alone, and diagonal entries without meaning for the others.
+  Potential(int dofs, std::vector<std::unique_ptr<EnergyTerm>> terms, std::vector<LocalAxes> local_axes = {},
+            const std::vector<bool>& wanted = {});
   Potential(Potential&&) noexcept = default;
   Potential& operator=(Potential&&) noexcept = default;
 
@@ -63,19 +64,23 @@ class Potential {
     int term, stencil, offset, axes;
   };
 
-  void evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian, ThreadPool* threads) const;
+  /// Groups of one term that one thread takes.
+  struct Piece {
+    int term, begin, end;
+  };
+
+  /// Blocks of all stencils; those of the Hessian only where its values are wanted, which are cleared.
+  void evaluate_blocks(const State& state, AssemblyBuffers& buffers, std::span<double> hessian_values,
+                       ThreadPool* threads) const;
   void turn_block(const Turned& turned, AssemblyBuffers& buffers, bool with_hessian) const;
-  void build_gather();
-  void sum_gradient(const AssemblyBuffers& buffers, VecX& gradient, ThreadPool* threads) const;
 
   std::vector<std::unique_ptr<EnergyTerm>> terms_;
   std::vector<LocalAxes> local_axes_;
   std::vector<Turned> turned_;
   SparsePattern pattern_;
   std::vector<std::ptrdiff_t> energy_start_, gradient_start_, hessian_start_;  // per term, into the buffers
-  // Per unknown and per slot of the pattern: blocks of three unknowns, and all that is left.
-  BlockLists gradient_blocks_, hessian_blocks_;
-  GatherLists gradient_lists_, hessian_lists_;
+  std::vector<Piece> pieces_;
+  AssemblyLists lists_;
 };
 
 }  // namespace lissom

@@ -55,14 +55,14 @@ class StencilTerm final : public EnergyTerm {
   std::span<const int> indices() const override { return indices_; }
 
   void energies(const State& state, int begin, int end, double* energy) const override {
-    for (int g = begin; g < end; ++g) {
-      double* out = energy + static_cast<std::ptrdiff_t>(g) * kLanes;
-      if constexpr (HasFastPath<E>) {
-        for_lanes(state, g, [&](const auto& local, int lane) {
-          const auto energy_of = E::energy(local);
-          write(&energy_of, 1, out, lane);
-        });
-      } else {
+    if constexpr (HasFastPath<E>) {
+      for_lanes(state, begin, end, [&](const auto& local, int group, int lane) {
+        const auto energy_of = E::energy(local);
+        write(&energy_of, 1, energy + static_cast<std::ptrdiff_t>(group) * kLanes, lane);
+      });
+    } else {
+      for (int g = begin; g < end; ++g) {
+        double* out = energy + static_cast<std::ptrdiff_t>(g) * kLanes;
         for (int lane = 0; lane < kLanes; ++lane) {
           const auto& s = stencil(g, lane);
           std::array<double, E::kDofs> x;
@@ -75,21 +75,23 @@ class StencilTerm final : public EnergyTerm {
 
   void derivatives(const State& state, int begin, int end, double* gradient, double* hessian) const override {
     constexpr int kEntries = E::kDofs * (E::kDofs + 1) / 2;
-    for (int g = begin; g < end; ++g) {
-      double* grad = gradient + static_cast<std::ptrdiff_t>(g) * E::kDofs * kLanes;
-      double* hess = hessian == nullptr ? nullptr : hessian + static_cast<std::ptrdiff_t>(g) * kEntries * kLanes;
-      if constexpr (HasFastPath<E>) {
-        using Lane = typename E::Lane;
-        for_lanes(state, g, [&](const auto& local, int lane) {
-          std::array<Lane, E::kDofs> lane_gradient;
-          std::array<Lane, kEntries> lane_hessian;
-          E::derivatives(local, lane_gradient.data(), hess == nullptr ? nullptr : lane_hessian.data());
-          write(lane_gradient.data(), E::kDofs, grad, lane);
-          if (hess != nullptr) write(lane_hessian.data(), kEntries, hess, lane);
-        });
-      } else {
-        // Linear terms have no Hessian to look for.
-        using Dual = std::conditional_t<E::kHasHessian, Dual2<E::kDofs>, Dual1<E::kDofs>>;
+    const auto gradient_of = [&](int group) {
+      return gradient + static_cast<std::ptrdiff_t>(group) * E::kDofs * kLanes;
+    };
+    const auto hessian_of = [&](int group) { return hessian + static_cast<std::ptrdiff_t>(group) * kEntries * kLanes; };
+    if constexpr (HasFastPath<E>) {
+      using Lane = typename E::Lane;
+      for_lanes(state, begin, end, [&](const auto& local, int group, int lane) {
+        std::array<Lane, E::kDofs> lane_gradient;
+        std::array<Lane, kEntries> lane_hessian;
+        E::derivatives(local, lane_gradient.data(), hessian == nullptr ? nullptr : lane_hessian.data());
+        write(lane_gradient.data(), E::kDofs, gradient_of(group), lane);
+        if (hessian != nullptr) write(lane_hessian.data(), kEntries, hessian_of(group), lane);
+      });
+    } else {
+      // Linear terms have no Hessian to look for.
+      using Dual = std::conditional_t<E::kHasHessian, Dual2<E::kDofs>, Dual1<E::kDofs>>;
+      for (int g = begin; g < end; ++g) {
         for (int lane = 0; lane < kLanes; ++lane) {
           const auto& s = stencil(g, lane);
           std::array<Dual, E::kDofs> x;
@@ -97,9 +99,9 @@ class StencilTerm final : public EnergyTerm {
           for (int i = 0; i < E::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]], i);
           for (int i = 0; i < E::kRest; ++i) rest[i] = s.rest[i];
           const Dual v = E::template value<Dual>(x, rest, energy_.frozen(state, s));
-          for (int i = 0; i < E::kDofs; ++i) grad[lane * E::kDofs + i] = v.g[i];
+          std::copy_n(v.g.data(), E::kDofs, gradient_of(g) + lane * E::kDofs);
           if constexpr (E::kHasHessian) {
-            for (int i = 0; i < kEntries && hess != nullptr; ++i) hess[lane * kEntries + i] = v.h[i];
+            if (hessian != nullptr) std::copy_n(v.h.data(), kEntries, hessian_of(g) + lane * kEntries);
           }
         }
       }
@@ -187,23 +189,33 @@ class StencilTerm final : public EnergyTerm {
   static void write(const Pack* x, int n, double* out, int) { store_lanes(x, n, out); }
   static void write(const double* x, int n, double* out, int lane) { std::copy(x, x + n, out + lane * n); }
 
-  /// Calls f(local, lane): once for a whole pack, or lane by lane for kernels on doubles.
+  /// Calls f(local, group, lane) for the groups [begin, end): once for a whole pack, or lane by lane for kernels on doubles.
   template <class F>
-  void for_lanes(const State& state, int group, const F& f) const {
+  void for_lanes(const State& state, int begin, int end, const F& f) const {
     using Lane = typename E::Lane;
     if constexpr (std::is_same_v<Lane, Pack>) {
-      typename E::template Local<Pack> local{};
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const auto& s = stencil(group, lane);
-        energy_.gather(state, s, s.rest.data(), lane, local);
+      // The next group is gathered before this one is computed: packs that were written lane by lane can be read at
+      // full speed only a while later.
+      std::array<typename E::template Local<Pack>, 2> local{};
+      const auto gather = [&](int group) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+          const auto& s = stencil(group, lane);
+          energy_.gather(state, s, s.rest.data(), lane, local[group % 2]);
+        }
+      };
+      if (begin < end) gather(begin);
+      for (int group = begin; group < end; ++group) {
+        if (group + 1 < end) gather(group + 1);
+        f(local[group % 2], group, 0);
       }
-      f(local, 0);
     } else {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        typename E::template Local<double> local{};
-        const auto& s = stencil(group, lane);
-        energy_.gather(state, s, s.rest.data(), 0, local);
-        f(local, lane);
+      for (int group = begin; group < end; ++group) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+          typename E::template Local<double> local{};
+          const auto& s = stencil(group, lane);
+          energy_.gather(state, s, s.rest.data(), 0, local);
+          f(local, group, lane);
+        }
       }
     }
   }
