@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/fabric_problems.h"
 #include "bench/first_pose.h"
@@ -89,6 +92,46 @@ TEST(Assembly, IsTheSumOfAllStencils) {
   oblique.directions = {Vec3(0.6, 0.8, 0)};
   held.poses[0].supports.push_back(oblique);
   expect_sum_of_stencils("local axes", held);
+}
+
+/// What the rods' own system is made of: rows and columns of some unknowns alone.
+TEST(Assembly, LeavesOutWhatIsNotWanted) {
+  const Model model = networks::square_frame_on_fabric({});
+  const FirstPose ready = first_pose("frame", model);
+  ASSERT_TRUE(ready.problem);
+  const Potential& whole = ready.problem->potential;
+  const std::vector<bool> every(whole.dofs(), true);
+  std::vector<bool> wanted(whole.dofs(), false);
+  for (const StructureEdge& edge : ready.system->structure.edges) {
+    for (int i = 0; i < 3; ++i) wanted[3 * edge.node0 + i] = wanted[3 * edge.node1 + i] = true;
+  }
+  std::vector<std::unique_ptr<EnergyTerm>> terms;
+  for (const auto& term : whole.terms()) terms.push_back(term->touching(every));
+  const Potential part(whole.dofs(), std::move(terms), {}, wanted);
+  const State state = shaken(*ready.system, 1e-4 * ready.system->structure.size);
+  VecX whole_gradient, gradient;
+  std::vector<double> whole_values, values;
+  AssemblyBuffers buffers;
+  whole.hessian(state, whole_gradient, whole_values, buffers);
+  part.hessian(state, gradient, values, buffers);
+  EXPECT_EQ(gradient, whole_gradient);
+  int compared = 0;
+  for (int j = 0; j < whole.dofs(); ++j) {
+    for (int i = j; i < whole.dofs(); ++i) {
+      const int slot = part.pattern().slot(i, j);
+      const bool both = wanted[i] && wanted[j];
+      if (!both) {
+        if (i != j) ASSERT_EQ(slot, -1) << i << ' ' << j;
+        continue;
+      }
+      const int whole_slot = whole.pattern().slot(i, j);
+      ASSERT_EQ(slot < 0, whole_slot < 0);
+      if (slot < 0) continue;
+      ASSERT_EQ(values[slot], whole_values[whole_slot]) << i << ' ' << j;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
 }
 
 }  // namespace
