@@ -45,7 +45,9 @@ class Pack {
   [[gnu::always_inline]] explicit Pack(Lanes lanes) : lanes_(lanes) {}
   [[gnu::always_inline]] Lanes lanes() const { return lanes_; }
 
-  Lanes lanes_ = {};
+  // As loosely aligned as a double: Eigen's matrices of packs promise no more.
+  typedef Lanes LooseLanes __attribute__((aligned(alignof(double))));
+  LooseLanes lanes_ = {};
 };
 
 /// The n numbers of each lane one after the other, lane by lane.
