@@ -55,8 +55,7 @@ class MaterialAmount final : public Objective {
     std::vector<Share> shares;
     if (part_.all() || !part_.rods.empty()) {
       for (const int r : rods_or_all(structure, part_.rods)) {
-        const double density = model.material(structure.rods[r].material)->density;
-        const double factor = amount_ == Amount::kMass ? 1 : density > 0 ? 1 / density : 0;
+        const double factor = amount_ == Amount::kMass ? 1 : 1 / model.material(structure.rods[r].material)->density;
         for (const int e : structure.rods[r].edges) {
           shares.push_back({numbers.edge(e, kEdgeMass), rest.edges[e].mass, factor});
         }
@@ -83,8 +82,18 @@ std::shared_ptr<const Objective> make_mass(StructurePart part) {
   return std::make_shared<MaterialAmount>(std::move(part), Amount::kMass);
 }
 
-std::shared_ptr<const Objective> make_material_volume(StructurePart part) {
-  return std::make_shared<MaterialAmount>(std::move(part), Amount::kVolume);
+Result<std::shared_ptr<const Objective>> make_material_volume(const Model& model, const Structure& structure,
+                                                              StructurePart part) {
+  if (part.all() || !part.rods.empty()) {
+    for (const int r : rods_or_all(structure, part.rods)) {
+      const StructureRod& rod = structure.rods[r];
+      if (model.material(rod.material)->density > 0) continue;
+      return Error{ErrorCode::kConflict, "material volume",
+                   "material \"" + rod.material + "\" of rod \"" + rod.name + "\" has no density",
+                   "give it one; gravity acts only where a pose has it"};
+    }
+  }
+  return std::shared_ptr<const Objective>(std::make_shared<MaterialAmount>(std::move(part), Amount::kVolume));
 }
 
 }  // namespace lissom

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "lissom/core/result.h"
 #include "lissom/design/objective.h"
 
 namespace lissom {
@@ -17,8 +18,9 @@ struct StructurePart {
 /// One component, kg. It hangs on rest numbers alone.
 std::shared_ptr<const Objective> make_mass(StructurePart part = {});
 
-/// One component, m^3: rods, and fabric by its area at rest times its thickness, which counts as fixed. Rods of a material
-/// without density take no volume here, since rest numbers know their mass only.
-std::shared_ptr<const Objective> make_material_volume(StructurePart part = {});
+/// One component, m^3: rods, by their mass, and fabric, by its area at rest times its thickness, which counts as fixed.
+/// kConflict where a rod is of a material without density: rest numbers know masses only.
+Result<std::shared_ptr<const Objective>> make_material_volume(const Model& model, const Structure& structure,
+                                                              StructurePart part = {});
 
 }  // namespace lissom
