@@ -81,6 +81,7 @@ struct Dual2 {
     }
     return r;
   }
+  static Dual2 chain(const Dual2& x, double f, double f1, double f2, double) { return chain(x, f, f1, f2); }
 };
 
 /// a + g.d: the same to first order.
@@ -132,48 +133,47 @@ struct Dual1 {
     for (int i = 0; i < N; ++i) r.g[i] = f1 * x.g[i];
     return r;
   }
-  static Dual1 chain(const Dual1& x, double f, double f1, double) { return chain(x, f, f1); }
+  static Dual1 chain(const Dual1& x, double f, double f1, double, double) { return chain(x, f, f1); }
 };
 
+/// Has f(x) from f and its first three derivatives at x.a, of which it takes those that it needs.
 template <class D>
 concept AnyDual = requires(const D& x) {
-  { D::chain(x, 0.0, 0.0, 0.0) } -> std::same_as<D>;
+  { D::chain(x, 0.0, 0.0, 0.0, 0.0) } -> std::same_as<D>;
 };
 
 template <AnyDual D>
 D sqrt(const D& x) {
   const double s = std::sqrt(x.a);
-  return D::chain(x, s, 0.5 / s, -0.25 / (s * x.a));
+  return D::chain(x, s, 0.5 / s, -0.25 / (s * x.a), 0.375 / (s * x.a * x.a));
 }
 
 template <AnyDual D>
 D sin(const D& x) {
   const double s = std::sin(x.a), c = std::cos(x.a);
-  return D::chain(x, s, c, -s);
+  return D::chain(x, s, c, -s, -c);
 }
 
 template <AnyDual D>
 D cos(const D& x) {
   const double s = std::sin(x.a), c = std::cos(x.a);
-  return D::chain(x, c, -s, -c);
+  return D::chain(x, c, -s, -c, s);
 }
 
 template <AnyDual D>
 D tanh(const D& x) {
   const double t = std::tanh(x.a), f1 = 1 - t * t;
-  return D::chain(x, t, f1, -2 * t * f1);
+  return D::chain(x, t, f1, -2 * t * f1, f1 * (6 * t * t - 2));
 }
 
 /// Angle of the point (x, y); differentiable everywhere but at the origin.
 template <AnyDual D>
 D atan2(const D& y, const D& x) {
   // With (X, Y) the constant values, the angle is atan2(Y, X) + atan((X y - Y x) / (X x + Y y)): the second part is 0
-  // at the point itself, with derivatives 1, 0 of the arctangent.
+  // at the point itself, with derivatives 1, 0, -2 of the arctangent.
   const D cross = D(x.a) * y - D(y.a) * x;
   const D dot = D(x.a) * x + D(y.a) * y;
-  D r = cross / dot;
-  r.a = std::atan2(y.a, x.a);
-  return r;
+  return D::chain(cross / dot, std::atan2(y.a, x.a), 1, 0, -2);
 }
 
 inline double primal(double x) { return x; }

@@ -13,6 +13,8 @@
 
 namespace lissom {
 
+class Tape;
+
 /// Everything about one stencil by automatic differentiation of its value: the reference for hand-written derivatives
 /// and the source of the mixed block.
 struct StencilDerivatives {
@@ -21,6 +23,12 @@ struct StencilDerivatives {
   MatX hessian;        ///< dofs x dofs
   MatX mixed;          ///< dofs x rests: derivative of the gradient by the rest quantities
   VecX rest_gradient;  ///< rests: derivative of the energy by the rest quantities
+};
+
+/// Where third derivatives of one stencil's energy go along: lambda moves the unknowns alone (dofs), dq moves the unknowns
+/// (dofs) together with dn, which moves the rest quantities (rests).
+struct StencilDirections {
+  const double *lambda, *dq, *dn;
 };
 
 /// Stencils are processed in groups of kLanes; entry e of stencil s of a block array with n entries per stencil sits at
@@ -48,6 +56,10 @@ class EnergyTerm {
   virtual StencilDerivatives automatic(const State& state, const VecX& dq, int stencil) const = 0;
   /// Derivative of one stencil's gradient by its rest quantities at the anchor, (dofs x rests) by columns.
   virtual void mixed(const State& state, int stencil, double* block) const = 0;
+  /// Third derivatives of one stencil's energy, anchored at `state`, along lambda, along (dq, dn), and by each unknown (dofs)
+  /// and rest quantity (rests). `tape` is storage for intermediate numbers.
+  virtual void third(const State& state, int stencil, const StencilDirections& along, Tape& tape, double* by_q,
+                     double* by_rest) const = 0;
   /// What the rest quantities hang on.
   virtual const RestLinks& links() const = 0;
   /// Rest quantities of one stencil, and a copy of the term with others (for checks of the mixed block).

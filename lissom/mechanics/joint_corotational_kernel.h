@@ -47,7 +47,8 @@ struct CorotationalAnchors {
   JointWeights weights = JointWeights::kEnergy;
 };
 
-/// Energy by (joint node, far nodes, rolls) and the connections' rest numbers; T is double or Dual2<kCorotationalDualSize>.
+/// Energy by (joint node, far nodes, rolls) and the connections' rest numbers; T is double,
+/// Dual2<kCorotationalDualSize>, or TracedDual at the anchor.
 template <class T>
 T corotational_value(const T* x, const T* rest, const CorotationalAnchors& anchors);
 

@@ -1,5 +1,7 @@
 #include <Eigen/Dense>
+#include <type_traits>
 
+#include "lissom/core/traced_dual.h"
 #include "lissom/mechanics/joint_corotational_kernel.h"
 #include "lissom/mechanics/joint_explicit.h"
 
@@ -7,8 +9,11 @@ namespace lissom {
 
 namespace {
 
-/// Newton steps of matched_turn: two give the derivatives, the rest the values away from the anchor.
-constexpr int kMatchingSteps = 12;
+/// Newton steps of matched_turn. Every step makes derivatives of one order more exact once the values are; away from the
+/// anchor the first steps find the values. Traced numbers are at the anchor: one step against its rounding, three for the
+/// orders.
+template <class T>
+constexpr int kMatchingSteps = std::is_same_v<T, TracedDual> ? 4 : 12;
 
 /// Nearest rotation to N near R0, as the rotation vector r with R = exp([r]) R0: Newton's method on the moment
 /// axl(N R') = 0, carried out in duals so that derivatives come out exactly (R0 already solves it for the values).
@@ -53,7 +58,7 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
     covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose() +
                   (edge[i].b * w.b) * at_rest[i].b.transpose();
   }
-  const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps);
+  const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps<T>);
   T v(0);
   for (int i = 0; i < f.count; ++i) {
     const auto held_axis = [&](const Vec3T<T>& axis) {
@@ -71,5 +76,6 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
 template double corotational_value<double>(const double*, const double*, const CorotationalAnchors&);
 template Dual2<kCorotationalDualSize> corotational_value<Dual2<kCorotationalDualSize>>(
     const Dual2<kCorotationalDualSize>*, const Dual2<kCorotationalDualSize>*, const CorotationalAnchors&);
+template TracedDual corotational_value<TracedDual>(const TracedDual*, const TracedDual*, const CorotationalAnchors&);
 
 }  // namespace lissom

@@ -13,12 +13,12 @@ inline std::array<double, kConnectionRestCount> connection_rest_values(const Pai
   return {r.kappa_1, r.kappa_2, r.twist, r.bend_1, r.bend_2, r.twist_stiffness, r.length, 0, 0, 0};
 }
 
-/// exp([r]) x for |r| of order one; the series is exact to rounding and smooth at r = 0 for duals.
+/// exp([r]) x for |r| of order one; the series is exact to rounding and smooth at r = 0 for duals, to third order too.
 template <class T>
 Vec3T<T> rotated_by_vector(const Vec3T<T>& r, const Vec3T<T>& x) {
   const T s = r.dot(r);
   T a(0), b(0);  // sin|r| / |r| and (1 - cos|r|) / |r|^2
-  for (int k = 12; k >= 0; --k) {
+  for (int k = primal(s) < 1e-4 ? 3 : 12; k >= 0; --k) {
     a = T(1) - s * a * (1.0 / ((2 * k + 2) * (2 * k + 3)));
     b = T(1) - s * b * (1.0 / ((2 * k + 3) * (2 * k + 4)));
   }

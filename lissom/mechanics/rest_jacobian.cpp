@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lissom/core/assert.h"
+#include "lissom/core/traced_dual.h"
 #include "lissom/mechanics/rest_pieces.h"
 
 namespace lissom {
@@ -45,6 +47,32 @@ void differentiate(const RestSource& s, const VecX& inputs, Eigen::SparseMatrix<
   }
 }
 
+struct CurvatureSource {
+  const RestSource& rest;
+  const VecX &inputs, &y, &direction;
+};
+
+/// Adds one piece after the other, so that sums come out the same always.
+template <class Piece>
+void add_curvature(const CurvatureSource& s, Tape& tape, VecX& curvature) {
+  std::array<TracedDual, Piece::kInputs> in;
+  std::array<TracedDual, Piece::kOutputs> out;
+  for (int k = 0; k < Piece::count(s.rest); ++k) {
+    const Piece piece(s.rest, k);
+    const auto touches = [](const VecX& x) { return [&x](int i) { return x[i] != 0; }; };
+    if (std::none_of(piece.output.begin(), piece.output.end(), touches(s.y))) continue;
+    if (std::none_of(piece.input.begin(), piece.input.end(), touches(s.direction))) continue;
+    tape.clear();
+    for (int i = 0; i < Piece::kInputs; ++i) {
+      in[i] = tape.variable({s.inputs[piece.input[i]], s.direction[piece.input[i]], 0, 0});
+    }
+    piece.template compute<TracedDual>(s.rest, in.data(), out.data());
+    for (int i = 0; i < Piece::kOutputs; ++i) tape.add_result(out[i], s.y[piece.output[i]]);
+    tape.sweep();
+    for (int i = 0; i < Piece::kInputs; ++i) curvature[piece.input[i]] += tape.by(in[i]).d1;
+  }
+}
+
 }  // namespace
 
 VecX rest_numbers_of(const Model& model, const System& system, const VecX& inputs) {
@@ -70,6 +98,21 @@ SparseMatrix rest_jacobian(const Model& model, const System& system) {
   differentiate<HingeRestPiece>(s, inputs, jacobian);
   jacobian.finalize();
   return jacobian;
+}
+
+VecX rest_curvature(const Model& model, const System& system, const VecX& y, const VecX& direction) {
+  const RestSource s(model, system);
+  LISSOM_ASSERT(y.size() >= s.numbers.size() && direction.size() == s.inputs.size());
+  const VecX inputs = rest_input_values(model, system);
+  const CurvatureSource source{s, inputs, y, direction};
+  VecX curvature = VecX::Zero(s.inputs.size());
+  Tape tape;
+  add_curvature<EdgeRestPiece>(source, tape, curvature);
+  add_curvature<PairRestPiece>(source, tape, curvature);
+  add_curvature<ConnectionRestPiece>(source, tape, curvature);
+  add_curvature<TriangleRestPiece>(source, tape, curvature);
+  add_curvature<HingeRestPiece>(source, tape, curvature);
+  return curvature;
 }
 
 }  // namespace lissom

@@ -14,4 +14,8 @@ VecX rest_numbers_of(const Model& model, const System& system, const VecX& input
 /// d rest numbers / d inputs, (RestNumbers::size x RestInputs::size), at the system's own inputs.
 SparseMatrix rest_jacobian(const Model& model, const System& system);
 
+/// sum over numbers k of y_k (Hessian of number k by the inputs) direction, at the system's own inputs: how
+/// rest_jacobian' y changes along a direction of RestInputs::size. Entries of y beyond RestNumbers::size are passed over.
+VecX rest_curvature(const Model& model, const System& system, const VecX& y, const VecX& direction);
+
 }  // namespace lissom

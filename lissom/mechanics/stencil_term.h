@@ -27,6 +27,7 @@
 
 #include "lissom/core/dual.h"
 #include "lissom/core/pack.h"
+#include "lissom/core/traced_dual.h"
 #include "lissom/mechanics/energy_term.h"
 
 namespace lissom {
@@ -150,6 +151,21 @@ class StencilTerm final : public EnergyTerm {
       Eigen::Map<MatX>(block, E::kDofs, E::kRest) = all.mixed;
     }
   }
+
+  void third(const State& state, int index, const StencilDirections& along, Tape& tape, double* by_q,
+             double* by_rest) const override {
+    const auto& s = energy_.stencils[index];
+    std::array<TracedDual, E::kDofs> x;
+    std::array<TracedDual, E::kRest> rest;
+    tape.clear();
+    for (int i = 0; i < E::kDofs; ++i) x[i] = tape.variable({state.q[s.dofs[i]], along.lambda[i], along.dq[i], 0});
+    for (int i = 0; i < E::kRest; ++i) rest[i] = tape.variable({s.rest[i], 0, along.dn[i], 0});
+    tape.add_result(E::template value<TracedDual>(x, rest, energy_.frozen(state, s)), 1);
+    tape.sweep();
+    for (int i = 0; i < E::kDofs; ++i) by_q[i] = tape.by(x[i]).d12;
+    for (int i = 0; i < E::kRest; ++i) by_rest[i] = tape.by(rest[i]).d12;
+  }
+
   const RestLinks& links() const override { return links_; }
 
   VecX rest(int index) const override {
