@@ -16,15 +16,12 @@ constexpr double kParallel = 1e-9;  // sine of the angle below which directions 
 
 class Angle final : public StencilObjective<Angle> {
  public:
-  static constexpr int kDofs = 12, kRest = 0;
-  struct Stencil : ObjectiveStencil<kDofs, kRest> {
+  struct Stencil : ObjectiveStencil {
     std::optional<Vec3> axis;  // unit
   };
 
   Angle(const std::array<int, 4>& nodes, const std::optional<Vec3>& axis) {
-    for (int k = 0; k < 4; ++k) {
-      for (int i = 0; i < 3; ++i) stencil_.dofs[3 * k + i] = 3 * nodes[k] + i;
-    }
+    for (const int node : nodes) stencil_.add_node(node);
     if (axis) stencil_.axis = axis->normalized();
   }
 

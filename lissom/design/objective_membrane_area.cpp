@@ -15,8 +15,7 @@ constexpr double kFelt = 0.01;  // of the area at rest
 
 class MembraneArea final : public StencilObjective<MembraneArea> {
  public:
-  static constexpr int kDofs = 9, kRest = 0;
-  struct Stencil : ObjectiveStencil<kDofs, kRest> {};
+  struct Stencil : ObjectiveStencil {};
 
   explicit MembraneArea(std::vector<int> membranes) : membranes_(std::move(membranes)) {}
 
@@ -36,8 +35,8 @@ class MembraneArea final : public StencilObjective<MembraneArea> {
     const Structure& structure = shape.design.system.structure;
     for (const int t : triangles_of(structure, membranes_)) {
       Stencil s;
-      for (int i = 0; i < kDofs; ++i) s.dofs[i] = 3 * structure.triangles[t].node[i / 3] + i % 3;
-      stencils.push_back(s);
+      for (const int node : structure.triangles[t].node) s.add_node(node);
+      stencils.push_back(std::move(s));
     }
     return stencils;
   }

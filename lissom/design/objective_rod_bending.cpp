@@ -18,8 +18,7 @@ struct Bend {
 
 class RodBending final : public StencilObjective<RodBending> {
  public:
-  static constexpr int kDofs = 3, kRest = 2;  // one coordinate of three nodes; two rest lengths
-  struct Stencil : ObjectiveStencil<kDofs, kRest> {};
+  struct Stencil : ObjectiveStencil {};  // one coordinate of three nodes; two rest lengths
 
   explicit RodBending(std::vector<Bend> bends) : bends_(std::move(bends)) {}
 
@@ -38,9 +37,10 @@ class RodBending final : public StencilObjective<RodBending> {
         Stencil s;
         s.component = static_cast<int>(stencils.size());
         s.dofs = {3 * first.node0 + axis, 3 * first.node1 + axis, 3 * second.node1 + axis};
-        s.numbers = {numbers.edge(bend.edge0, kEdgeLength), numbers.edge(bend.edge1, kEdgeLength)};
-        s.rest = {system.rest.edges[bend.edge0].length, system.rest.edges[bend.edge1].length};
-        stencils.push_back(s);
+        for (const int e : {bend.edge0, bend.edge1}) {
+          s.add_number(numbers.edge(e, kEdgeLength), system.rest.edges[e].length);
+        }
+        stencils.push_back(std::move(s));
       }
     }
     return stencils;

@@ -16,8 +16,7 @@ constexpr double kRounding = 1e-8;  // added to the discriminant
 
 class SmallestStretch final : public StencilObjective<SmallestStretch> {
  public:
-  static constexpr int kDofs = 9, kRest = 6;
-  struct Stencil : ObjectiveStencil<kDofs, kRest> {
+  struct Stencil : ObjectiveStencil {
     Vec2 growth = Vec2::Ones();  // of the rest corners while the pre-stretch is not all there
   };
 
@@ -40,10 +39,9 @@ class SmallestStretch final : public StencilObjective<SmallestStretch> {
       Stencil& s = stencils[k];
       s.component = k;
       s.growth = full.cwiseQuotient(Vec2::Ones() + share * (full - Vec2::Ones()));
-      for (int i = 0; i < kDofs; ++i) s.dofs[i] = 3 * triangle.node[i / 3] + i % 3;
-      for (int i = 0; i < kRest; ++i) {
-        s.numbers[i] = numbers.triangle(t, kCorner + i);
-        s.rest[i] = system.rest.triangles[t].corner[i / 2][i % 2];
+      for (const int node : triangle.node) s.add_node(node);
+      for (int i = 0; i < 6; ++i) {
+        s.add_number(numbers.triangle(t, kCorner + i), system.rest.triangles[t].corner[i / 2][i % 2]);
       }
     }
     return stencils;

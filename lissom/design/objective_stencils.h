@@ -1,30 +1,35 @@
 #pragma once
 /// Objectives whose components are sums of functions of a few unknowns and rest numbers each: the function is written once,
-/// as a template, and all derivatives follow by automatic differentiation.
+/// as a template, and all derivatives follow by a sweep back over its operations.
 ///
 ///   struct Function {
-///     static constexpr int kDofs, kRest;
-///     struct Stencil : ObjectiveStencil<kDofs, kRest> { ... };  // besides, whatever is constant while unknowns vary
+///     struct Stencil : ObjectiveStencil { ... };  // besides, whatever is constant while unknowns vary
 ///     template <class T>
 ///     static T value(const T* x, const T* rest, const Stencil&);
 ///   };
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "lissom/core/dual.h"
+#include "lissom/core/traced_dual.h"
 #include "lissom/design/objective.h"
 #include "lissom/mechanics/rest_numbers.h"
 
 namespace lissom {
 
-template <int Dofs, int Rest>
 struct ObjectiveStencil {
-  int component = 0;                 ///< that the value adds to
-  std::array<int, Dofs> dofs{};      ///< unknowns; may repeat
-  std::array<int, Rest> numbers{};   ///< in the order of RestNumbers
-  std::array<double, Rest> rest{};   ///< their values
+  int component = 0;          ///< that the value adds to
+  std::vector<int> dofs;      ///< unknowns; may repeat
+  std::vector<int> numbers;   ///< in the order of RestNumbers; may repeat
+  std::vector<double> rest;   ///< their values
+
+  void add_node(int node) {
+    for (int i = 0; i < 3; ++i) dofs.push_back(3 * node + i);
+  }
+  void add_number(int number, double value) {
+    numbers.push_back(number);
+    rest.push_back(value);
+  }
 };
 
 /// Triplets of the two blocks of a Jacobian.
@@ -41,47 +46,65 @@ struct JacobianEntries {
 
 template <class F>
 void add_values(std::span<const typename F::Stencil> stencils, const State& state, VecX& c) {
+  std::vector<double> x;
   for (const auto& s : stencils) {
-    std::array<double, F::kDofs> x;
-    for (int i = 0; i < F::kDofs; ++i) x[i] = state.q[s.dofs[i]];
+    x.clear();
+    for (const int dof : s.dofs) x.push_back(state.q[dof]);
     c[s.component] += F::template value<double>(x.data(), s.rest.data(), s);
   }
 }
 
-/// One stencil's value in duals of unknowns, then rest numbers.
-template <class F, class Dual>
-Dual stencil_dual(const typename F::Stencil& s, const State& state) {
-  std::array<Dual, F::kDofs> x;
-  std::array<Dual, F::kRest> rest;
-  for (int i = 0; i < F::kDofs; ++i) x[i] = Dual::variable(state.q[s.dofs[i]], i);
-  for (int i = 0; i < F::kRest; ++i) rest[i] = Dual::variable(s.rest[i], F::kDofs + i);
-  return F::template value<Dual>(x.data(), rest.data(), s);
-}
+/// Evaluates stencils on a tape, one at a time. Variables are unknowns, then rest numbers.
+class StencilTape {
+ public:
+  /// Derivatives by all variables, and, unless null, their changes along dq and dn.
+  template <class F>
+  std::span<const HyperDual> differentiate(const typename F::Stencil& s, const State& state, const VecX* dq,
+                                           const VecX* dn) {
+    tape_.clear();
+    variables_.clear();
+    derivatives_.clear();
+    for (const int dof : s.dofs) {
+      variables_.push_back(tape_.variable({state.q[dof], 0, dq == nullptr ? 0 : (*dq)[dof], 0}));
+    }
+    for (std::size_t i = 0; i < s.numbers.size(); ++i) {
+      variables_.push_back(tape_.variable({s.rest[i], 0, dn == nullptr ? 0 : (*dn)[s.numbers[i]], 0}));
+    }
+    tape_.add_result(F::template value<TracedDual>(variables_.data(), variables_.data() + s.dofs.size(), s), 1);
+    tape_.sweep();
+    for (const TracedDual& v : variables_) derivatives_.push_back(tape_.by(v));
+    return derivatives_;
+  }
+
+ private:
+  Tape tape_;
+  std::vector<TracedDual> variables_;
+  std::vector<HyperDual> derivatives_;
+};
 
 template <class F>
 void add_jacobian(std::span<const typename F::Stencil> stencils, const State& state, JacobianEntries& entries) {
+  StencilTape tape;
   for (const auto& s : stencils) {
-    const auto v = stencil_dual<F, Dual1<F::kDofs + F::kRest>>(s, state);
-    for (int i = 0; i < F::kDofs; ++i) entries.by_q.emplace_back(s.component, s.dofs[i], v.g[i]);
-    for (int i = 0; i < F::kRest; ++i) entries.by_numbers.emplace_back(s.component, s.numbers[i], v.g[F::kDofs + i]);
+    const auto d = tape.differentiate<F>(s, state, nullptr, nullptr);
+    const std::size_t dofs = s.dofs.size();
+    for (std::size_t i = 0; i < dofs; ++i) entries.by_q.emplace_back(s.component, s.dofs[i], d[i].a);
+    for (std::size_t i = dofs; i < d.size(); ++i) {
+      entries.by_numbers.emplace_back(s.component, s.numbers[i - dofs], d[i].a);
+    }
   }
 }
 
 template <class F>
 void add_curvature(std::span<const typename F::Stencil> stencils, const State& state, const VecX& y, const VecX& dq,
                    const VecX& dn, VecX& by_q, VecX& by_numbers) {
-  constexpr int kAll = F::kDofs + F::kRest;
+  StencilTape tape;
   for (const auto& s : stencils) {
     if (y[s.component] == 0) continue;
-    const auto v = stencil_dual<F, Dual2<kAll>>(s, state);
-    std::array<double, kAll> d, change{};
-    for (int i = 0; i < F::kDofs; ++i) d[i] = dq[s.dofs[i]];
-    for (int i = 0; i < F::kRest; ++i) d[F::kDofs + i] = dn[s.numbers[i]];
-    for (int i = 0; i < kAll; ++i) {
-      for (int j = 0; j < kAll; ++j) change[i] += v.hessian(i, j) * d[j];
-    }
-    for (int i = 0; i < F::kDofs; ++i) by_q[s.dofs[i]] += y[s.component] * change[i];
-    for (int i = 0; i < F::kRest; ++i) by_numbers[s.numbers[i]] += y[s.component] * change[F::kDofs + i];
+    const auto d = tape.differentiate<F>(s, state, &dq, &dn);
+    const std::size_t dofs = s.dofs.size();
+    for (std::size_t i = 0; i < dofs; ++i) by_q[s.dofs[i]] += y[s.component] * d[i].d2;
+    for (std::size_t i = dofs; i < d.size(); ++i) by_numbers[s.numbers[i - dofs]] += y[s.component] * d[i].d2;
   }
 }
 
