@@ -1,9 +1,11 @@
 #include "lissom/design/sensitivity.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lissom/core/sparse_pattern.h"
 #include "lissom/mechanics/gradient_by_rest.h"
+#include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_jacobian.h"
 
 namespace lissom {
@@ -23,26 +25,74 @@ Status check_supports(const Pose& pose) {
   return {};
 }
 
+int columns_of(const DesignJacobian& jacobian, const PoseJacobian& own) {
+  Eigen::Index m = 0;
+  for (const SparseMatrix* part : {&jacobian.inputs, &jacobian.numbers, &own.loads, &own.held}) {
+    LISSOM_ASSERT(m == 0 || part->cols() == 0 || part->cols() == m);
+    m = std::max(m, part->cols());
+  }
+  return static_cast<int>(m);
+}
+
+/// d places in the drawing / d p, (3 nodes x m).
+SparseMatrix drawn_places(const DesignJacobian& jacobian, const System& system) {
+  if (jacobian.inputs.cols() == 0) return {};
+  return jacobian.inputs.topRows(3 * system.layout.nodes());
+}
+
 }  // namespace
 
 Result<Sensitivity> Sensitivity::make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                       const State& equilibrium, const LinearSolver& factor,
                                       const SparseMatrix& inputs) {
-  if (Status s = check_supports(pose); !s) return s.error();
+  return make(model, pose, problem, equilibrium, factor, DesignJacobian{inputs, {}, {}}, PoseJacobian{});
+}
+
+Result<Sensitivity> Sensitivity::make(const Model& model, int pose, const StaticProblem& problem,
+                                      const State& equilibrium, const LinearSolver& factor,
+                                      const DesignJacobian& jacobian) {
+  const auto number = static_cast<std::size_t>(pose);
+  LISSOM_ASSERT(number < model.poses.size() && (jacobian.poses.empty() || number < jacobian.poses.size()));
+  return make(model, model.poses[number], problem, equilibrium, factor, jacobian,
+              jacobian.poses.empty() ? PoseJacobian{} : jacobian.poses[number]);
+}
+
+Result<Sensitivity> Sensitivity::make(const Model& model, const Pose& pose, const StaticProblem& problem,
+                                      const State& equilibrium, const LinearSolver& factor,
+                                      const DesignJacobian& jacobian, const PoseJacobian& own) {
   const System& system = *problem.system;
   LISSOM_ASSERT(factor.unknowns() == problem.supports.unknowns());
+  const int unknowns = system.layout.size(), m = columns_of(jacobian, own);
+  const SparseMatrix drawn = drawn_places(jacobian, system);
+  if (drawn.nonZeros() > 0) {
+    if (Status s = check_supports(pose); !s) return s.error();
+  }
   Sensitivity result;
   result.problem_ = &problem;
   result.factor_ = &factor;
-  const int unknowns = system.layout.size(), m = static_cast<int>(inputs.cols());
-  const SparseMatrix by_rest = gradient_by_rest(problem.potential, equilibrium, RestNumbers(system.structure).size());
-  const SparseMatrix by_inputs = by_rest * rest_jacobian(model, system);
-  result.by_parameters_ = by_inputs * inputs;
+  const RestNumbers numbers(system.structure);
+  const LoadNumbers loads(pose, system.structure);
+  const SparseMatrix by_all = gradient_by_rest(problem.potential, equilibrium, numbers.size() + loads.size());
+  result.by_parameters_ = MatX::Zero(unknowns, m);
+  if (jacobian.inputs.cols() > 0) {
+    const SparseMatrix by_inputs = by_all.leftCols(numbers.size()) * rest_jacobian(model, system);
+    result.by_parameters_ += by_inputs * jacobian.inputs;
+  }
+  if (jacobian.numbers.cols() > 0) result.by_parameters_ += by_all.leftCols(numbers.size()) * jacobian.numbers;
+  if (own.loads.cols() > 0) result.by_parameters_ += by_all.rightCols(loads.size()) * own.loads;
+  if (loads.has_drawn_targets() && drawn.nonZeros() > 0) {
+    result.by_parameters_ += by_all.rightCols(3 * system.layout.nodes()) * drawn;
+  }
 
+  MatX held;
+  if (drawn.nonZeros() > 0) held = problem.supports.held_by_places(system) * drawn;
+  if (own.held.cols() > 0 && own.held.nonZeros() > 0) {
+    if (held.cols() == 0) held = MatX::Zero(unknowns, m);
+    held += equilibrium.load_factor * own.held;
+  }
   MatX forces = result.by_parameters_;
-  const SparseMatrix places = problem.supports.held_by_places(system);
-  if (places.nonZeros() > 0) {
-    result.held_ = places * inputs.topRows(3 * system.layout.nodes());
+  if (held.cols() > 0 && !held.isZero(0)) {
+    result.held_ = std::move(held);
     VecX gradient, column, product;
     std::vector<double> hessian;
     AssemblyBuffers buffers;

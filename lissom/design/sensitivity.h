@@ -1,12 +1,14 @@
 #pragma once
 /// How an equilibrium answers to a change of its design, to first order: with S = dq/dp, products S v and S' w by one back
-/// solve each, and S itself where it is small enough [mathematics 5.1].
+/// solve each, and S itself where it is small enough [mathematics 5.1]. Parameters act through rest inputs, rest numbers,
+/// loads and what is held; soft pins without a target follow the drawing.
 
 #include <span>
 
 #include "lissom/core/context.h"
 #include "lissom/core/linear_solver.h"
 #include "lissom/core/result.h"
+#include "lissom/design/design_space.h"
 #include "lissom/equilibrium/static_problem.h"
 
 namespace lissom {
@@ -18,6 +20,10 @@ class Sensitivity {
   /// depend on the drawing.
   static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                   const State& equilibrium, const LinearSolver& factor, const SparseMatrix& inputs);
+
+  /// Of pose number `pose` of the model, with all that the design depends on.
+  static Result<Sensitivity> make(const Model& model, int pose, const StaticProblem& problem, const State& equilibrium,
+                                  const LinearSolver& factor, const DesignJacobian& jacobian);
 
   int parameters() const { return static_cast<int>(by_parameters_.cols()); }
 
@@ -32,6 +38,10 @@ class Sensitivity {
   const MatX& gradient_by_parameters() const { return by_parameters_; }
 
  private:
+  static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
+                                  const State& equilibrium, const LinearSolver& factor, const DesignJacobian& jacobian,
+                                  const PoseJacobian& own);
+
   const StaticProblem* problem_ = nullptr;
   const LinearSolver* factor_ = nullptr;
   MatX by_parameters_;
