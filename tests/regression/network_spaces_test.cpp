@@ -102,7 +102,7 @@ TEST(NetworkSpaces, RestShapesMakeConsistentDesigns) {
       expect_consistent(space, uneven(space, 0.05));
       // Converted, but not moved by more than nothing: the rods of the base.
       VecX hardly = space.start();
-      hardly[7] = 1e-18;
+      hardly[7] = 1e-16;
       const Design converted = design_at(space, hardly);
       samples::expect_same_numbers(rest_number_values(converted.system), rest_number_values(base->system), 1e-12);
       expect_consistent(space, hardly);
