@@ -71,7 +71,7 @@ Status OptimizeOptions::validate() const {
     return out_of_range("first_cap", "the first step needs a positive length", "1, one scale, is usual");
   }
   if (!positive(least_step) || least_step > first_cap) {
-    return out_of_range("least_step", "the least step has to lie between 0 and the first cap", "1e-8 is usual");
+    return out_of_range("least_step", "the least step has to lie between 0 and the first cap", "1e-6 is usual");
   }
   if (max_halvings < 0) return out_of_range("max_halvings", "the number of halvings cannot be negative", "10 is usual");
   if (!positive(first_damping)) {

@@ -55,17 +55,16 @@ struct OptimizeOptions {
   /// Good enough when h is not above; 0: never.
   double value_tolerance = 0;
 
-  /// Largest change of a parameter in the first step, in scales; then the cap or radius adapts. Of kLevenbergMarquardt, which
-  /// damps instead, it cuts no later step.
+  /// Largest change of a parameter in the first step, in scales; then the cap or radius adapts.
   double first_cap = 1;
   /// In scales: steps below it are not tried; the end when longer ones are no good.
-  double least_step = 1e-8;
+  double least_step = 1e-6;
   /// Of one iteration with a line search; then the model is renewed.
   int max_halvings = 10;
   /// First mu of kLevenbergMarquardt, of the diagonal of J'J.
   double first_damping = 1e-3;
-  /// Hessian products of one step of kNewton, and how far they bring the gradient of the model: by this or, if that is more,
-  /// by the square root of how far the gradient has come since the start.
+  /// Hessian products of one step of kNewton, and how far they bring the gradient of the model: to this share or, if that is
+  /// less, to the square root of the share to which the promises have come since the start.
   int max_products = 200;
   double newton_forcing = 0.1;
 
