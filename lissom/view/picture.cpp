@@ -56,7 +56,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
         add_rods(track, camera, layer.drawing, {.plain = layer.ink, .line = 0}, budget / 3);
         break;
       case Layer::Style::kLines:
-        add_rods(front, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em}, budget / 3);
+        add_rods(front, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
         break;
       case Layer::Style::kSolid: {
         Paint rods{.field = field_of(layer.drawing, options.field),

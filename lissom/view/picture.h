@@ -26,6 +26,7 @@ struct Layer {
   Style style = Style::kSolid;
   std::vector<std::vector<Vec3>> guides = {};  ///< m, dashed lines over everything: ghost rods of a plan
   Color ink = {};                              ///< of kTrack, kLines and `dots`
+  double weight = 1;                           ///< of kLines, 1: lines of usual width
   std::vector<Vec3> dots = {};                 ///< m, points of interest, over everything
 };
 
