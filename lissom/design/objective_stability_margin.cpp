@@ -14,7 +14,8 @@ namespace lissom {
 
 namespace {
 
-constexpr double kMoving = 1e-4;  // share of positions in a mode, below which nothing moves [as examine_stability has it]
+constexpr double kMoving =
+    1e-4;  // share of positions in a mode, below which nothing moves [as examine_stability has it]
 
 /// The softest mode in which something moves; stiffness infinite where there is none.
 Mode softest(const PoseShape& shape) {
@@ -99,8 +100,8 @@ class StabilityMargin final : public Objective {
     for (int e = 0; e < system.edge_count(); ++e) {
       const StructureEdge& edge = system.structure.edges[e];
       const double roll = mode.shape[system.layout.roll(e)];
-      of_edge[e] = per_length * ((square(edge.node0) + square(edge.node1)) / 2 +
-                                 system.rest.edges[e].gyration2 * roll * roll);
+      of_edge[e] =
+          per_length * ((square(edge.node0) + square(edge.node1)) / 2 + system.rest.edges[e].gyration2 * roll * roll);
       rods += of_edge[e] * system.rest.edges[e].length;
     }
     for (int t = 0; t < of_triangle.size(); ++t) {

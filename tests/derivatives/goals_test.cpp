@@ -4,6 +4,7 @@
 #include "lissom/design/network_radii.h"
 #include "lissom/design/objective_stability_margin.h"
 #include "lissom/design/parameter_goals.h"
+
 #include "objective_cases.h"
 
 namespace lissom {
@@ -34,8 +35,7 @@ class Goals : public testing::TestWithParam<GoalKind> {
     return g;
   }
   double half_square(const Goal& g, const Components& components, const VecX& dq, const VecX& dn) const {
-    const VecX deviation =
-        (g.weight * g.weights).cwiseSqrt().cwiseProduct(components(dq, dn) - g.target) / g.scale;
+    const VecX deviation = (g.weight * g.weights).cwiseSqrt().cwiseProduct(components(dq, dn) - g.target) / g.scale;
     double sum = 0;
     for (const double d : deviation) {
       const bool counts = g.kind == GoalKind::kReach || (g.kind == GoalKind::kAtMost) == (d > 0);
@@ -48,16 +48,15 @@ class Goals : public testing::TestWithParam<GoalKind> {
 
 TEST_P(Goals, BothOrdersMatchDifferences) {
   std::mt19937 random(2);
-  for (const auto& objective : {make_smallest_stretch(shape_->design.system.structure),
-                                make_rod_strain(shape_->design.system), make_node_positions({3, 7, 1}),
-                                make_mass(), make_membrane_area()}) {
+  for (const auto& objective :
+       {make_smallest_stretch(shape_->design.system.structure), make_rod_strain(shape_->design.system),
+        make_node_positions({3, 7, 1}), make_mass(), make_membrane_area()}) {
     SCOPED_TRACE(objective->name());
     const Goal g = goal(objective);
     ASSERT_TRUE(check_goal(g, "/goals/0").ok());
     const Components components = by_advance(*shape_, *objective);
     const PoseShape here = shape_->pose_shape();
-    const VecX r = goal_residual(g, here), still = VecX::Zero(shape_->unknowns()),
-               same = VecX::Zero(shape_->numbers());
+    const VecX r = goal_residual(g, here), still = VecX::Zero(shape_->unknowns()), same = VecX::Zero(shape_->numbers());
     const double value = half_square(g, components, still, same);
     EXPECT_NEAR(r.squaredNorm() / 2, value, 1e-12 * value);
     SparseRows j_q, j_numbers;
@@ -99,11 +98,12 @@ TEST_P(Goals, OnlyTheWrongSideCounts) {
   }
 }
 
+std::string kind_name(const testing::TestParamInfo<GoalKind>& info) {
+  constexpr const char* kNames[] = {"Reach", "AtMost", "AtLeast"};
+  return kNames[static_cast<int>(info.param)];
+}
 INSTANTIATE_TEST_SUITE_P(Kinds, Goals, testing::Values(GoalKind::kReach, GoalKind::kAtMost, GoalKind::kAtLeast),
-                         [](const auto& info) {
-                           constexpr const char* kNames[] = {"Reach", "AtMost", "AtLeast"};
-                           return kNames[static_cast<int>(info.param)];
-                         });
+                         kind_name);
 
 TEST(GoalWeights, MakeRootMeanSquares) {
   const auto shape = make_shape(model_of_everything(JointKind::kExplicit), 0.1);
@@ -174,8 +174,7 @@ TEST(ParameterGoals, SmoothnessComparesNeighboursAlongRods) {
   ASSERT_TRUE(radii.ok());
   const int controls = radii.value().controls().size();
   ASSERT_EQ(controls, 5);  // three ends, two middles
-  const auto pairs =
-      neighbours_along_rods(radii.value().controls(), system.value().structure, std::array{0, controls});
+  const auto pairs = neighbours_along_rods(radii.value().controls(), system.value().structure, std::array{0, controls});
   ASSERT_EQ(pairs.size(), 8u);
   const ParameterGoal g = make_smoothness(radii.value().parameters(), pairs);
   EXPECT_EQ(g.rows.rows(), 10);

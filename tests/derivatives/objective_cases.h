@@ -130,8 +130,10 @@ inline std::unique_ptr<Shape> make_shape(const Model& model, double amplitude) {
     ADD_FAILURE() << system.error().text();
     return nullptr;
   }
-  auto shape = std::make_unique<Shape>(Shape{{model, std::move(system).value()}, {nullptr, Potential(0, {}), {}, {}, false, {}}, {}});
-  Result<StaticProblem> problem = make_static_problem(shape->design.model, shape->design.system, model.poses[0], "/poses/0");
+  auto shape = std::make_unique<Shape>(
+      Shape{{model, std::move(system).value()}, {nullptr, Potential(0, {}), {}, {}, false, {}}, {}});
+  Result<StaticProblem> problem =
+      make_static_problem(shape->design.model, shape->design.system, model.poses[0], "/poses/0");
   if (!problem) {
     ADD_FAILURE() << problem.error().text();
     return nullptr;
@@ -327,7 +329,8 @@ inline std::vector<Case> cases_of(Shape& shape) {
   add("angle about an axis", make_angle({0, 7, 3, 12}, Vec3(0.3, -0.4, 2)), Rigid::kOther);
   add("area", make_membrane_area(), Rigid::kSame);
   add("volume", taken(make_enclosed_volume(system.structure)), Rigid::kSame);
-  add("volume under an apex", taken(make_enclosed_volume(system.structure, {0}, Vec3(0.05, 0.02, -0.1))), Rigid::kOther);
+  add("volume under an apex", taken(make_enclosed_volume(system.structure, {0}, Vec3(0.05, 0.02, -0.1))),
+      Rigid::kOther);
   add("mass", make_mass(), Rigid::kSame);
   add("mass of a rod", make_mass({{1}, {}}), Rigid::kSame);
   add("volume of material", taken(make_material_volume(shape.design.model, system.structure)), Rigid::kSame);

@@ -1,10 +1,12 @@
 /// Derivatives of all objectives against differences, in unknowns and in rest numbers.
 
+#include "lissom/design/objectives.h"
+
 #include <algorithm>
 #include <set>
 
 #include "lissom/design/objective_stability_margin.h"
-#include "lissom/design/objectives.h"
+
 #include "objective_cases.h"
 
 namespace lissom {
@@ -110,9 +112,7 @@ TEST_P(Objectives, SecondDerivativesMatchDifferences) {
         return by_q.dot(against.dq) + by_numbers.dot(against.dn);
       };
       const double exact = product(a, b), swapped = product(b, a);
-      const auto at = [&](double s, double t) {
-        return y.dot(c.components(s * a.dq + t * b.dq, s * a.dn + t * b.dn));
-      };
+      const auto at = [&](double s, double t) { return y.dot(c.components(s * a.dq + t * b.dq, s * a.dn + t * b.dn)); };
       const double difference = extrapolated<double>(
           kStep, [&](double h) { return (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h); });
       const double rounding = kRounding * y.cwiseProduct(values).cwiseAbs().sum() / (kStep * kStep / 16);

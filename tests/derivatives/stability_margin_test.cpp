@@ -1,7 +1,10 @@
 /// The stability margin against differences of eigenvalues.
 
+#include <numbers>
+
 #include "lissom/design/objective_stability_margin.h"
 #include "lissom/equilibrium/solve.h"
+
 #include "objective_cases.h"
 
 namespace lissom {
@@ -92,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Joints, Margin, testing::Values(JointKind::kExplicit, J
                          });
 
 /// A straight rod between two points may spin: that is no mode to be afraid of.
-TEST(Margin, SpinsDoNotCount) {
+TEST(StabilityMargin, SpinsDoNotCount) {
   Model model;
   model.rods.push_back(rod("rod", Polyline{{Vec3::Zero(), Vec3(0.1, 0, 0)}}, SectionShape::kEllipse, 1e-3, 1.5e-3));
   Pose pose;

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "../derivatives/objective_cases.h"
 #include "lissom/design/section_strain.h"
+
+#include "../derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -139,8 +140,8 @@ TEST(ObjectiveValues, Angles) {
   EXPECT_EQ(shape.values(*make_angle({0, 1, 0, 4}))[0], 0);
   make_angle({0, 1, 0, 4})->jacobian({shape.design, shape.pose, shape.problem, shape.state}, by_q, by_numbers);
   EXPECT_EQ(by_q.norm(), 0);
-  make_angle({0, 1, 0, 4}, Vec3(0, 0, 1))->jacobian({shape.design, shape.pose, shape.problem, shape.state}, by_q,
-                                                     by_numbers);
+  make_angle({0, 1, 0, 4}, Vec3(0, 0, 1))
+      ->jacobian({shape.design, shape.pose, shape.problem, shape.state}, by_q, by_numbers);
   EXPECT_NEAR(by_q.coeff(0, 3 * 4 + 1), 1.0 / 3, 1e-15);
 }
 
@@ -181,7 +182,8 @@ TEST(ObjectiveValues, SurfacesThatAreNone) {
 
 /// Over an edge between triangles of one plane, and on the surface, only what is across the plane counts.
 TEST(ObjectiveValues, PlanesHaveNoEdges) {
-  const auto made = TriangleSurface::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, "plane");
+  const auto made =
+      TriangleSurface::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, "plane");
   ASSERT_TRUE(made.ok());
   for (const double z : {0.5, 0.0, -1e-12}) {
     const NearestPoint near = made.value().nearest({0.25, 0.25, z});
