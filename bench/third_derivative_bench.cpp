@@ -32,8 +32,8 @@ void measure_potential(const std::string& name, const Potential& potential, cons
   std::vector<double> values;
   const VecX lambda = waves(potential.dofs(), 1e-3), dq = waves(potential.dofs(), 2e-3), dn = waves(numbers, 1e-4);
   const double hessian = least_ms(kRepeats, [&] { potential.hessian(state, gradient, values, buffers, threads); });
-  const double third = least_ms(
-      kRepeats, [&] { third_derivative(potential, state, lambda, dq, dn, by_q, by_numbers, threads); });
+  const double third =
+      least_ms(kRepeats, [&] { third_derivative(potential, state, lambda, dq, dn, by_q, by_numbers, threads); });
   row(name, "Hessian", hessian, "ms");
   row(name, "third derivative", third, "ms");
   row(name, "ratio", third / hessian, "");
@@ -62,7 +62,7 @@ void measure(const std::string& name, const Model& model) {
   const VecX y = waves(numbers, 1), direction = waves(inputs.size(), 1e-4);
   row(name, "curvature of rest numbers",
       least_ms(kRepeats, [&] { return rest_curvature(model, system, y, direction); }), "ms");
-  row(name, "jacobian of rest numbers", least_ms(3, [&] { return rest_jacobian(model, system); }), "ms");
+  row(name, "jacobian of rest numbers", least_ms(kRepeats, [&] { return rest_jacobian(model, system); }), "ms");
   auto each = make_terms(model, system, &model.poses[0], "/poses/0");
   for (auto& term : each.value()) {
     const std::string label = name + ", " + std::string(term->name()) + " on " + std::to_string(term->dofs());

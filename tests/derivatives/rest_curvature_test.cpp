@@ -60,8 +60,8 @@ TEST_P(RestCurvature, MatchesSecondDifferences) {
       const VecX w = size_[i] * VecX::Unit(inputs_.size(), i);
       const auto both = [&](double step) {
         const VecX s = step * v, t = step * w;
-        const double change = sum_at(inputs_ + s + t) - sum_at(inputs_ + s - t) - sum_at(inputs_ - s + t) +
-                              sum_at(inputs_ - s - t);
+        const double change =
+            sum_at(inputs_ + s + t) - sum_at(inputs_ + s - t) - sum_at(inputs_ - s + t) + sum_at(inputs_ - s - t);
         return change / (4 * step * step);
       };
       const double h = 0.02, d1 = both(h), d2 = both(h / 1.5), d4 = both(h / 2.25);
@@ -115,8 +115,7 @@ TEST_P(RestCurvature, IsSymmetricAndPassesOverOtherNumbers) {
   EXPECT_EQ(curvature(longer, v), along_v);
 }
 
-INSTANTIATE_TEST_SUITE_P(Problems, RestCurvature,
-                         testing::Values(third::kCases[0], third::kCases[3], third::kCases[4]),
+INSTANTIATE_TEST_SUITE_P(Problems, RestCurvature, testing::Values(third::kCases[0], third::kCases[3], third::kCases[4]),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

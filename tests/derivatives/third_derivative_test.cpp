@@ -1,10 +1,11 @@
 /// Third derivatives of all energies: stencil by stencil against differences at a fixed anchor, and assembled against
 /// differences of energies and of assembled second derivatives.
 
+#include "lissom/mechanics/third_derivative.h"
+
 #include "lissom/core/traced_dual.h"
 #include "lissom/mechanics/gradient_by_rest.h"
 #include "lissom/mechanics/rest_numbers.h"
-#include "lissom/mechanics/third_derivative.h"
 #include "tests/derivatives/third_problems.h"
 
 namespace lissom {
@@ -123,7 +124,7 @@ TEST_P(ThirdDerivative, AssembledMatchesDifferencesAlongNumbers) {
   VecX dn = random_numbers();
   // Hand-written Hessians hold for rest frames that are not turned, and for rotations of joints that match their weights.
   const RestNumbers layout(deformed_.system.structure);
-  const int fixed = deformed_.model.joint_kind == JointKind::kCorotational ? kBend1 : kRestTurn;
+  const int fixed = deformed_.model.joint_kind == JointKind::kCorotational ? +kBend1 : +kRestTurn;
   for (int k = 0; k < static_cast<int>(deformed_.system.connections.size()); ++k) {
     for (int i = fixed; i < kConnectionRestCount; ++i) dn[layout.connection(k, i)] = 0;
   }
@@ -131,24 +132,22 @@ TEST_P(ThirdDerivative, AssembledMatchesDifferencesAlongNumbers) {
   third_derivative(original, deformed_.state, lambda, zero, dn, by_q, by_numbers);
   ASSERT_EQ(by_numbers.size(), dn.size());
   AssemblyBuffers buffers;
-  const VecX expected_q = third::slope(
-      [&](double step) {
-        third::move_rests(moved, original, step * dn);
-        VecX gradient, product;
-        std::vector<double> values;
-        moved.hessian(deformed_.state, gradient, values, buffers);
-        multiply(moved.pattern(), values, lambda, product);
-        return product;
-      });
+  const VecX expected_q = third::slope([&](double step) {
+    third::move_rests(moved, original, step * dn);
+    VecX gradient, product;
+    std::vector<double> values;
+    moved.hessian(deformed_.state, gradient, values, buffers);
+    multiply(moved.pattern(), values, lambda, product);
+    return product;
+  });
   const VecX numbers = rest_number_values(deformed_.system);
   VecX size = VecX::Ones(dn.size());
   for (int i = 0; i < numbers.size(); ++i) size[i] = third::size_of(numbers[i]);
-  const VecX expected_n = third::slope(
-      [&](double step) -> VecX {
-        third::move_rests(moved, original, step * dn);
-        const SparseMatrix mixed = gradient_by_rest(moved, deformed_.state, static_cast<int>(dn.size()));
-        return (mixed.transpose() * lambda).cwiseProduct(size);
-      });
+  const VecX expected_n = third::slope([&](double step) -> VecX {
+    third::move_rests(moved, original, step * dn);
+    const SparseMatrix mixed = gradient_by_rest(moved, deformed_.state, static_cast<int>(dn.size()));
+    return (mixed.transpose() * lambda).cwiseProduct(size);
+  });
   VecX units(lambda.size());
   for (int i = 0; i < units.size(); ++i) units[i] = unit(i);
   EXPECT_LT((by_q - expected_q).cwiseProduct(units).cwiseAbs().maxCoeff(),
