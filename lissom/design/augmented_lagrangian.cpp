@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kStuckRounds = 4;      // with hardly any fall of the violation: it will not fall
 constexpr double kHardlyFell = 0.9;  // share of the violation before
-constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1, kLastPrecision = 1e-12;  // of the descents of early rounds
+constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1,
+                 kLastPrecision = 1e-12;  // of the descents of early rounds
 
 std::string number(double value) {
   char text[32];

@@ -12,7 +12,8 @@ namespace {
 std::vector<OptimizeOptions> all_methods() {
   std::vector<OptimizeOptions> all;
   for (const DesignMethodInfo& info : design_methods()) {
-    OptimizeOptions o{.method = info.method, .max_iterations = 2000, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
+    OptimizeOptions o{
+        .method = info.method, .max_iterations = 2000, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
     o.least_step = 1e-12;
     all.push_back(o);
     o.control = StepControl::kTrustRegion;
@@ -42,7 +43,8 @@ VecX solve(AnalyticProblem& problem, const OptimizeOptions& options, const Const
   Result<AugmentedLagrangian> outer = AugmentedLagrangian::begin(problem, options, constraints);
   EXPECT_TRUE(outer.ok());
   if (!outer.ok()) return {};
-  EXPECT_EQ(outer.value().run({}), wanted) << design_method_name(options.method) << ": " << outer.value().state().message;
+  EXPECT_EQ(outer.value().run({}), wanted)
+      << design_method_name(options.method) << ": " << outer.value().state().message;
   if (end != nullptr) *end = outer.value().state();
   return problem.x();
 }
@@ -173,10 +175,9 @@ TEST(AugmentedLagrangian, ResumesWithTheSameBytes) {
 
 TEST(AugmentedLagrangian, OptionsHaveToMakeSense) {
   EXPECT_TRUE(ConstraintOptions{}.validate().ok());
-  for (const ConstraintOptions& o :
-       {ConstraintOptions{.tolerance = 0}, ConstraintOptions{.max_rounds = 0},
-        ConstraintOptions{.first_penalty = std::nan("")}, ConstraintOptions{.penalty_growth = 1},
-        ConstraintOptions{.enough_fall = 1}}) {
+  for (const ConstraintOptions& o : {ConstraintOptions{.tolerance = 0}, ConstraintOptions{.max_rounds = 0},
+                                     ConstraintOptions{.first_penalty = std::nan("")},
+                                     ConstraintOptions{.penalty_growth = 1}, ConstraintOptions{.enough_fall = 1}}) {
     EXPECT_FALSE(o.validate().ok());
   }
 }

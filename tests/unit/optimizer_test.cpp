@@ -13,13 +13,14 @@ namespace {
 
 using Make = AnalyticCase (*)();
 AnalyticCase creeping() { return exponential_fit(0.9); }
-constexpr Make kCases[] = {linear_in_box, rosenbrock_free, rosenbrock_bounded, creeping,
-                           rank_deficient, indefinite,     failing};
+constexpr Make kCases[] = {linear_in_box, rosenbrock_free, rosenbrock_bounded, creeping, rank_deficient,
+                           indefinite,    failing};
 
 std::vector<OptimizeOptions> all_methods() {
   std::vector<OptimizeOptions> all;
   for (const DesignMethodInfo& info : design_methods()) {
-    OptimizeOptions o{.method = info.method, .max_iterations = 600, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
+    OptimizeOptions o{
+        .method = info.method, .max_iterations = 600, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
     o.least_step = 1e-12;
     all.push_back(o);
     o.control = StepControl::kTrustRegion;
@@ -56,7 +57,8 @@ std::string bytes(const OptimizerState& s) {
 }
 
 TEST(Optimizer, EveryMethodReachesEverySolution) {
-  std::printf("%-20s %-34s %5s %8s %9s %5s %8s\n", "problem", "method", "iter.", "attempts", "gradients", "J'J", "products");
+  std::printf("%-20s %-34s %5s %8s %9s %5s %8s\n", "problem", "method", "iter.", "attempts", "gradients", "J'J",
+              "products");
   for (const Make make : kCases) {
     for (const OptimizeOptions& options : all_methods()) {
       AnalyticCase c = make();
@@ -117,10 +119,9 @@ TEST(Optimizer, IterationsAreWhatTheoryPromises) {
 
 TEST(Optimizer, ExactNewtonIsQuadraticAtTheEnd) {
   AnalyticCase c = creeping();
-  Optimizer optimizer(c.problem, {.method = DesignMethod::kNewton,
-                                  .gradient_tolerance = 1e-13,
-                                  .decrease_tolerance = 0,
-                                  .newton_forcing = 1e-8});
+  Optimizer optimizer(
+      c.problem,
+      {.method = DesignMethod::kNewton, .gradient_tolerance = 1e-13, .decrease_tolerance = 0, .newton_forcing = 1e-8});
   std::vector<double> errors{(c.problem.x() - c.solution).norm()};
   while (optimizer.step({})) errors.push_back((c.problem.x() - c.solution).norm());
   int checked = 0;
@@ -137,10 +138,9 @@ TEST(Optimizer, NewtonIsServedByEitherPreconditioner) {
   int products[2] = {0, 0};
   for (const NewtonPreconditioner p : {NewtonPreconditioner::kNone, NewtonPreconditioner::kGram}) {
     AnalyticCase c = creeping();
-    Optimizer optimizer(c.problem, {.method = DesignMethod::kNewton,
-                                    .preconditioner = p,
-                                    .gradient_tolerance = 1e-10,
-                                    .decrease_tolerance = 0});
+    Optimizer optimizer(
+        c.problem,
+        {.method = DesignMethod::kNewton, .preconditioner = p, .gradient_tolerance = 1e-10, .decrease_tolerance = 0});
     EXPECT_EQ(optimizer.run({}), DesignVerdict::kConverged);
     EXPECT_LT((c.problem.x() - c.solution).cwiseAbs().maxCoeff(), 1e-8);
     products[static_cast<int>(p)] = c.problem.asked.products;
@@ -252,9 +252,9 @@ TEST(Optimizer, SaysWhyNothingIsLeftToTry) {
     Outcome outcome;
     DesignVerdict verdict;
   };
-  for (const Wall wall : {Wall{Outcome::kJumped, DesignVerdict::kJumped},
-                          Wall{Outcome::kUnstable, DesignVerdict::kNoEquilibrium},
-                          Wall{Outcome::kNoDesign, DesignVerdict::kNoEquilibrium}}) {
+  for (const Wall wall :
+       {Wall{Outcome::kJumped, DesignVerdict::kJumped}, Wall{Outcome::kUnstable, DesignVerdict::kNoEquilibrium},
+        Wall{Outcome::kNoDesign, DesignVerdict::kNoEquilibrium}}) {
     for (OptimizeOptions options : all_methods()) {
       options.least_step = 1e-6;
       AnalyticCase c = rosenbrock_free();
@@ -344,12 +344,11 @@ TEST(Optimizer, TellsHowFarItIs) {
 TEST(Optimizer, OptionsHaveToMakeSense) {
   EXPECT_TRUE(OptimizeOptions{}.validate().ok());
   const double nan = std::nan("");
-  for (const OptimizeOptions& o :
-       {OptimizeOptions{.max_iterations = 0}, OptimizeOptions{.gradient_tolerance = nan},
-        OptimizeOptions{.decrease_tolerance = 1}, OptimizeOptions{.value_tolerance = -1}, OptimizeOptions{.first_cap = 0},
-        OptimizeOptions{.first_cap = 1, .least_step = 2}, OptimizeOptions{.max_halvings = -1},
-        OptimizeOptions{.first_damping = nan}, OptimizeOptions{.max_products = 0},
-        OptimizeOptions{.newton_forcing = 1}}) {
+  for (const OptimizeOptions& o : {OptimizeOptions{.max_iterations = 0}, OptimizeOptions{.gradient_tolerance = nan},
+                                   OptimizeOptions{.decrease_tolerance = 1}, OptimizeOptions{.value_tolerance = -1},
+                                   OptimizeOptions{.first_cap = 0}, OptimizeOptions{.first_cap = 1, .least_step = 2},
+                                   OptimizeOptions{.max_halvings = -1}, OptimizeOptions{.first_damping = nan},
+                                   OptimizeOptions{.max_products = 0}, OptimizeOptions{.newton_forcing = 1}}) {
     const Status status = o.validate();
     ASSERT_FALSE(status.ok());
     EXPECT_FALSE(status.error().where.empty());
