@@ -12,7 +12,7 @@
 #include "bench/yardsticks/ipopt_yardstick.h"
 #include "lissom/design/box_qp.h"
 #include "lissom/design/optimizer.h"
-#include "tests/analytic_cases.h"
+#include "scenes/analytic_cases.h"
 
 namespace lissom {
 namespace {

@@ -4,23 +4,11 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "tests/analytic_cases.h"
+#include "scenes/analytic_cases.h"
+#include "tests/all_methods.h"
 
 namespace lissom {
 namespace {
-
-std::vector<OptimizeOptions> all_methods() {
-  std::vector<OptimizeOptions> all;
-  for (const DesignMethodInfo& info : design_methods()) {
-    OptimizeOptions o{
-        .method = info.method, .max_iterations = 2000, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
-    o.least_step = 1e-12;
-    all.push_back(o);
-    o.control = StepControl::kTrustRegion;
-    if (secant_rule(info.method)) all.push_back(o);
-  }
-  return all;
-}
 
 constexpr ConstraintOptions kSharp{.tolerance = 1e-10};
 
@@ -55,7 +43,7 @@ TEST(AugmentedLagrangian, MeetsLinearEqualitiesExactly) {
   a << 1, 1, 1, 1, 1, 1, -2, 0, 3, 1;
   const VecX b = Vec2(1, -0.5);
   const VecX solution = wanted - a.transpose() * (a * a.transpose()).inverse() * (a * wanted - b);
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(wanted);
     problem.set_constraints(linear_functions(a, b), {false, false});
     ConstrainedState end;
@@ -70,7 +58,7 @@ TEST(AugmentedLagrangian, MeetsLinearEqualitiesExactly) {
 TEST(AugmentedLagrangian, MeetsCurvedConstraints) {
   const VecX solution = Vec2(2, 1).normalized();
   for (const bool inequality : {false, true}) {
-    for (const OptimizeOptions& options : all_methods()) {
+    for (const OptimizeOptions& options : all_methods(2000)) {
       AnalyticProblem problem = near(Vec2(2, 1));
       problem.set_constraints(circle(), {inequality});
       const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
@@ -80,7 +68,7 @@ TEST(AugmentedLagrangian, MeetsCurvedConstraints) {
 }
 
 TEST(AugmentedLagrangian, LetsInequalitiesRestThatHold) {
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(Vec2(0.3, 0.4));
     problem.put_at(Vec2(3, 2));
     problem.set_constraints(circle(), {true});
@@ -92,7 +80,7 @@ TEST(AugmentedLagrangian, LetsInequalitiesRestThatHold) {
 }
 
 TEST(AugmentedLagrangian, WorksWithBounds) {
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(Vec2(2, 1), 0.8);  // the circle where x_0 = 0.8
     problem.set_constraints(circle(), {false});
     const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
@@ -103,7 +91,7 @@ TEST(AugmentedLagrangian, WorksWithBounds) {
 TEST(AugmentedLagrangian, SaysWhatCannotBeMet) {
   MatX a(2, 2);
   a << 1, 1, 1, 1;
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem contradiction = near(Vec2(0, 0)), too_far = near(Vec2(0, 0), 0.5);
     contradiction.set_constraints(linear_functions(a, Vec2(0, 1)), {false, false});
     ConstrainedState end;
@@ -142,7 +130,7 @@ TEST(AugmentedLagrangian, RaisesThePenaltyOnlyWhenItMust) {
 }
 
 TEST(AugmentedLagrangian, ResumesWithTheSameBytes) {
-  for (OptimizeOptions options : all_methods()) {
+  for (OptimizeOptions options : all_methods(2000)) {
     options.gradient_tolerance = 1e-6;
     const auto make = [] {
       AnalyticProblem p = near(Vec2(2, 1));

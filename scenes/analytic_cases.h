@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 #include <random>
 
-#include "tests/analytic_problem.h"
+#include "scenes/analytic_problem.h"
 
 namespace lissom {
 
