@@ -22,6 +22,7 @@ struct ConstrainedState {
   double penalty = 0;
   double violation = -1;  ///< after the last round, with slack that multipliers deny; below 0: no round yet
   int round = 0;
+  int round_began = -1;  ///< iteration of the descent at which this round began; below 0: the first round
   int stuck = 0;         ///< rounds in a row whose violation hardly fell
   OptimizerState inner;  ///< of the last saved moment; its records run over all rounds
   std::optional<DesignVerdict> verdict;

@@ -1,6 +1,7 @@
 #include "lissom/design/augmented_lagrangian.h"
 
 #include <Eigen/LU>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -57,12 +58,14 @@ TEST(AugmentedLagrangian, MeetsLinearEqualitiesExactly) {
 
 TEST(AugmentedLagrangian, MeetsCurvedConstraints) {
   const VecX solution = Vec2(2, 1).normalized();
+  // Gauss-Newton does not know the curvature of the constraint: it creeps, until rounding of h hides its steps.
+  const auto reached = [](const OptimizeOptions& o) { return o.method == DesignMethod::kGaussNewton ? 1e-7 : 1e-8; };
   for (const bool inequality : {false, true}) {
     for (const OptimizeOptions& options : all_methods(2000)) {
       AnalyticProblem problem = near(Vec2(2, 1));
       problem.set_constraints(circle(), {inequality});
       const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
-      EXPECT_LT((x - solution).cwiseAbs().maxCoeff(), 1e-8) << design_method_name(options.method);
+      EXPECT_LT((x - solution).cwiseAbs().maxCoeff(), reached(options)) << design_method_name(options.method);
     }
   }
 }
@@ -121,12 +124,20 @@ TEST(AugmentedLagrangian, RaisesThePenaltyOnlyWhenItMust) {
   AnalyticProblem problem = near(Vec2(2, 1));
   problem.set_constraints(circle(), {false});
   ConstrainedState strong, weak;
-  solve(problem, {}, {.first_penalty = 100}, DesignVerdict::kConverged, &strong);
+  OptimizeOptions options;
+  options.gradient_tolerance = 1e-10;
+  options.decrease_tolerance = 0;
+  ConstraintOptions constraints = kSharp;
+  constraints.first_penalty = 100;
+  solve(problem, options, constraints, DesignVerdict::kConverged, &strong);
   EXPECT_EQ(strong.penalty, 100);
   problem.put_at(Vec2(0.3, 0.3));
-  solve(problem, {}, {.first_penalty = 0.01}, DesignVerdict::kConverged, &weak);
+  constraints.first_penalty = 0.01;
+  solve(problem, options, constraints, DesignVerdict::kConverged, &weak);
   EXPECT_GT(weak.penalty, 0.01);
-  EXPECT_NEAR(weak.multipliers[0], strong.multipliers[0], 1e-4);
+  // 2 x multiplier = wanted - x
+  EXPECT_NEAR(strong.multipliers[0], 0.5 * (std::sqrt(5.0) - 1), 1e-6);
+  EXPECT_NEAR(weak.multipliers[0], strong.multipliers[0], 1e-6);
 }
 
 TEST(AugmentedLagrangian, ResumesWithTheSameBytes) {
