@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kStuckRounds = 4;      // with hardly any fall of the violation: it will not fall
 constexpr double kHardlyFell = 0.9;  // share of the violation before
-constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1, kLastPrecision = 1e-12;  // of the descents of early rounds
+constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1,
+                 kLastPrecision = 1e-12;  // of the descents of early rounds
 
 std::string number(double value) {
   char text[32];
@@ -156,6 +157,11 @@ DesignVerdict AugmentedLagrangian::run(const Context& context) {
 }
 
 void AugmentedLagrangian::end_round(DesignVerdict descent) {
+  // A point that was good enough for this round as it was says nothing about multipliers and penalty.
+  if (inner_.state().iteration == state_.round_began && !last_precision() &&
+      state_.round + 1 < constraints_.max_rounds) {
+    return next_round();
+  }
   const VecX gaps = constraint_gaps(*problem_, state_.multipliers, state_.penalty);
   const double before = state_.violation;
   int worst = -1;
@@ -194,6 +200,7 @@ void AugmentedLagrangian::end_round(DesignVerdict descent) {
 
 void AugmentedLagrangian::next_round() {
   ++state_.round;
+  state_.round_began = inner_.state().iteration;
   problem_->set_multipliers(state_.multipliers, state_.penalty);
   inner_.value_has_changed();
   inner_.set_options(of_round(options_, state_.round));

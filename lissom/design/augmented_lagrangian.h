@@ -8,22 +8,23 @@
 namespace lissom {
 
 struct ConstraintOptions {
-  double tolerance = 1e-6;   ///< largest violation, over the scales of the constraints
+  double tolerance = 1e-6;  ///< largest violation, over the scales of the constraints
   int max_rounds = 30;
   double first_penalty = 0;  ///< unit of h; 0: such that a violation weighs about as much as what h has besides
   double penalty_growth = 10;
-  double enough_fall = 0.25; ///< a violation that has not fallen to this share of the one before raises the penalty
+  double enough_fall = 0.25;  ///< a violation that has not fallen to this share of the one before raises the penalty
 
   Status validate() const;
 };
 
 struct ConstrainedState {
-  VecX multipliers;       ///< (constraints), unit of h
+  VecX multipliers;  ///< (constraints), unit of h
   double penalty = 0;
   double violation = -1;  ///< after the last round, with slack that multipliers deny; below 0: no round yet
   int round = 0;
-  int stuck = 0;          ///< rounds in a row whose violation hardly fell
-  OptimizerState inner;   ///< of the last saved moment; its records run over all rounds
+  int round_began = -1;  ///< iteration of the descent at which this round began; below 0: the first round
+  int stuck = 0;         ///< rounds in a row whose violation hardly fell
+  OptimizerState inner;  ///< of the last saved moment; its records run over all rounds
   std::optional<DesignVerdict> verdict;
   std::string message;
 };

@@ -8,9 +8,9 @@
 namespace lissom {
 
 struct BoxCgSolution {
-  VecX x;                   ///< within the bounds
-  double decrease = 0;      ///< of the model, >= 0
-  double gradient_left = 0; ///< largest entry of the gradient of the model that no bound holds
+  VecX x;                    ///< within the bounds
+  double decrease = 0;       ///< of the model, >= 0
+  double gradient_left = 0;  ///< largest entry of the gradient of the model that no bound holds
   int products = 0;
   bool negative_curvature = false;  ///< met on the way
 };

@@ -48,8 +48,7 @@ void FreeFactor::prepare(const MatX& b, const std::vector<int>& free, double lar
     }
     llt_.compute(part_);  // reads the lower triangle
     ++factorizations_;
-    if (llt_.info() == Eigen::Success &&
-        (n == 0 || llt_.matrixLLT().diagonal().cwiseAbs2().minCoeff() > least_pivot)) {
+    if (llt_.info() == Eigen::Success && (n == 0 || llt_.matrixLLT().diagonal().cwiseAbs2().minCoeff() > least_pivot)) {
       return;
     }
     damping_ = std::max(kDampingGrowth * damping_, kLeastDamping * largest);

@@ -100,8 +100,8 @@ void Optimizer::end_without_step() {
   const OutcomeCounts& rejected = state_.rejected;
   std::string left = "no gradient is left";
   if (const auto largest = largest_entries(state_.promise, 1); !largest.empty()) {
-    left = "a gradient of " + number(largest[0].value) + " is left in parameter " +
-           std::to_string(largest[0].parameter);
+    left =
+        "a gradient of " + number(largest[0].value) + " is left in parameter " + std::to_string(largest[0].parameter);
   }
   if (rejected[Outcome::kSettled] > 0) return end(DesignVerdict::kLimit, left);
   const int jumped = rejected[Outcome::kJumped], failed = rejected.total();
@@ -140,9 +140,8 @@ bool Optimizer::look(DesignRecord& record) {
 bool Optimizer::gropes(double gradient) const {
   const int n = static_cast<int>(state_.records.size());
   if (n < kGroping || gradient < state_.records[n - kGroping].gradient) return false;
-  return std::all_of(state_.records.end() - kGroping, state_.records.end(), [](const DesignRecord& r) {
-    return r.accepted && Iteration::hidden(r.predicted, r.value);
-  });
+  return std::all_of(state_.records.end() - kGroping, state_.records.end(),
+                     [](const DesignRecord& r) { return r.accepted && Iteration::hidden(r.predicted, r.value); });
 }
 
 bool Optimizer::step(const Context& context) {
@@ -218,7 +217,8 @@ void Optimizer::tell(const Context& context) const {
   std::string detail = "h " + number(r.value) + (r.accepted ? ", step " : ", rejected step ") + number(r.step_length);
   if (r.active_bounds > 0) detail += ", " + std::to_string(r.active_bounds) + " parameters at their bounds";
   if (const double seconds = seconds_left(); seconds >= 0) detail += ", about " + number(seconds) + " s left";
-  const double fraction = r.iterations_left < 0 ? -1 : double(state_.iteration) / (state_.iteration + r.iterations_left);
+  const double fraction =
+      r.iterations_left < 0 ? -1 : double(state_.iteration) / (state_.iteration + r.iterations_left);
   context.report({.task = "design", .fraction = fraction, .iteration = state_.iteration, .detail = detail});
   if (context.log) context.log(detail);
 }

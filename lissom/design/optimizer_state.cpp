@@ -51,8 +51,9 @@ std::vector<ParameterShare> largest_entries(const VecX& values, int count) {
   for (int i = 0; i < values.size(); ++i) {
     if (values[i] != 0) entries.push_back({i, values[i]});
   }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const ParameterShare& a, const ParameterShare& b) { return std::abs(a.value) > std::abs(b.value); });
+  std::stable_sort(entries.begin(), entries.end(), [](const ParameterShare& a, const ParameterShare& b) {
+    return std::abs(a.value) > std::abs(b.value);
+  });
   if (static_cast<int>(entries.size()) > count) entries.resize(count);
   return entries;
 }

@@ -47,26 +47,26 @@ struct OutcomeCounts {
 struct DesignRecord {
   int iteration = 0;
   bool accepted = false;
-  double value = 0;         ///< h after the iteration
-  double gradient = 0;      ///< largest first-order promise at the point it began at, unit of h
-  double predicted = 0;     ///< decrease of h that the model of the last step tried had promised
-  double step_length = 0;   ///< largest change of a parameter, in scales, of the last step tried
-  int active_bounds = 0;    ///< parameters that the gradient holds at a bound, before the step
-  OutcomeCounts attempts;   ///< of this iteration
-  double cap = 0;           ///< cap or radius afterwards, in scales
-  double damping = 0;       ///< mu of Levenberg-Marquardt afterwards; else what the model lacked in curvature
-  int hessian_products = 0; ///< of exact Newton
-  DesignEffort effort;      ///< so far
-  int iterations_left = -1; ///< at the present pace; -1: cannot be said yet
+  double value = 0;          ///< h after the iteration
+  double gradient = 0;       ///< largest first-order promise at the point it began at, unit of h
+  double predicted = 0;      ///< decrease of h that the model of the last step tried had promised
+  double step_length = 0;    ///< largest change of a parameter, in scales, of the last step tried
+  int active_bounds = 0;     ///< parameters that the gradient holds at a bound, before the step
+  OutcomeCounts attempts;    ///< of this iteration
+  double cap = 0;            ///< cap or radius afterwards, in scales
+  double damping = 0;        ///< mu of Levenberg-Marquardt afterwards; else what the model lacked in curvature
+  int hessian_products = 0;  ///< of exact Newton
+  DesignEffort effort;       ///< so far
+  int iterations_left = -1;  ///< at the present pace; -1: cannot be said yet
 };
 
 /// May be saved and restored at any time between iterations: the rest of the run has the same bytes, if the problem is
 /// brought back to `x` and gives the same bytes there.
 struct OptimizerState {
-  VecX x;            ///< the point that all of this is about
+  VecX x;  ///< the point that all of this is about
   int iteration = 0;
-  double first_gradient = -1;  ///< largest first-order promise at the start; below 0: not known yet
-  double cap = 0;              ///< of line searches, radius of trust regions, in scales
+  double first_gradient = -1;              ///< largest first-order promise at the start; below 0: not known yet
+  double cap = 0;                          ///< of line searches, radius of trust regions, in scales
   double damping = 0, damping_growth = 0;  ///< of Levenberg-Marquardt
   SecantMemory secant;
 

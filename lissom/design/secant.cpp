@@ -91,8 +91,8 @@ void SecantHessian::dennis_gay_welsch(const SecantStep& s) {
   const double known = std::abs(s.step.dot(memory_.second * s.step)), seen = std::abs(s.step.dot(structured));
   const double size = known > seen ? seen / known : 1;
   const VecX z = structured - size * (memory_.second * s.step);
-  memory_.second =
-      size * memory_.second + (z * y.transpose() + y * z.transpose()) / ys - (z.dot(s.step) / (ys * ys)) * (y * y.transpose());
+  memory_.second = size * memory_.second + (z * y.transpose() + y * z.transpose()) / ys -
+                   (z.dot(s.step) / (ys * ys)) * (y * y.transpose());
 }
 
 }  // namespace lissom

@@ -28,8 +28,7 @@ class ExactNewton final : public StepMethod {
     const MatX none;
     const MatX& like_h = work.options.preconditioner == NewtonPreconditioner::kGram ? problem.gram() : none;
     const auto times = [&problem](const VecX& v) -> VecX { return problem.hessian_times(v); };
-    const BoxCgSolution model =
-        solve_box_cg(times, g, lower, upper, like_h, share * left, work.options.max_products);
+    const BoxCgSolution model = solve_box_cg(times, g, lower, upper, like_h, share * left, work.options.max_products);
     work.record.hessian_products = model.products;
     const bool cut = model.negative_curvature || model.x.cwiseAbs().maxCoeff() >= state.cap * (1 - 1e-9);
     if (work.promises_too_little(model.decrease, cut ? Iteration::Cut::kCut : Iteration::Cut::kWhole)) {

@@ -1,25 +1,15 @@
 #include "lissom/design/augmented_lagrangian.h"
 
 #include <Eigen/LU>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "tests/analytic_cases.h"
+#include "scenes/analytic_cases.h"
+#include "tests/all_methods.h"
 
 namespace lissom {
 namespace {
-
-std::vector<OptimizeOptions> all_methods() {
-  std::vector<OptimizeOptions> all;
-  for (const DesignMethodInfo& info : design_methods()) {
-    OptimizeOptions o{.method = info.method, .max_iterations = 2000, .gradient_tolerance = 1e-12, .decrease_tolerance = 0};
-    o.least_step = 1e-12;
-    all.push_back(o);
-    o.control = StepControl::kTrustRegion;
-    if (secant_rule(info.method)) all.push_back(o);
-  }
-  return all;
-}
 
 constexpr ConstraintOptions kSharp{.tolerance = 1e-10};
 
@@ -42,7 +32,8 @@ VecX solve(AnalyticProblem& problem, const OptimizeOptions& options, const Const
   Result<AugmentedLagrangian> outer = AugmentedLagrangian::begin(problem, options, constraints);
   EXPECT_TRUE(outer.ok());
   if (!outer.ok()) return {};
-  EXPECT_EQ(outer.value().run({}), wanted) << design_method_name(options.method) << ": " << outer.value().state().message;
+  EXPECT_EQ(outer.value().run({}), wanted)
+      << design_method_name(options.method) << ": " << outer.value().state().message;
   if (end != nullptr) *end = outer.value().state();
   return problem.x();
 }
@@ -53,7 +44,7 @@ TEST(AugmentedLagrangian, MeetsLinearEqualitiesExactly) {
   a << 1, 1, 1, 1, 1, 1, -2, 0, 3, 1;
   const VecX b = Vec2(1, -0.5);
   const VecX solution = wanted - a.transpose() * (a * a.transpose()).inverse() * (a * wanted - b);
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(wanted);
     problem.set_constraints(linear_functions(a, b), {false, false});
     ConstrainedState end;
@@ -67,18 +58,20 @@ TEST(AugmentedLagrangian, MeetsLinearEqualitiesExactly) {
 
 TEST(AugmentedLagrangian, MeetsCurvedConstraints) {
   const VecX solution = Vec2(2, 1).normalized();
+  // Gauss-Newton does not know the curvature of the constraint: it creeps, until rounding of h hides its steps.
+  const auto reached = [](const OptimizeOptions& o) { return o.method == DesignMethod::kGaussNewton ? 1e-7 : 1e-8; };
   for (const bool inequality : {false, true}) {
-    for (const OptimizeOptions& options : all_methods()) {
+    for (const OptimizeOptions& options : all_methods(2000)) {
       AnalyticProblem problem = near(Vec2(2, 1));
       problem.set_constraints(circle(), {inequality});
       const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
-      EXPECT_LT((x - solution).cwiseAbs().maxCoeff(), 1e-8) << design_method_name(options.method);
+      EXPECT_LT((x - solution).cwiseAbs().maxCoeff(), reached(options)) << design_method_name(options.method);
     }
   }
 }
 
 TEST(AugmentedLagrangian, LetsInequalitiesRestThatHold) {
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(Vec2(0.3, 0.4));
     problem.put_at(Vec2(3, 2));
     problem.set_constraints(circle(), {true});
@@ -90,7 +83,7 @@ TEST(AugmentedLagrangian, LetsInequalitiesRestThatHold) {
 }
 
 TEST(AugmentedLagrangian, WorksWithBounds) {
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem problem = near(Vec2(2, 1), 0.8);  // the circle where x_0 = 0.8
     problem.set_constraints(circle(), {false});
     const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
@@ -101,7 +94,7 @@ TEST(AugmentedLagrangian, WorksWithBounds) {
 TEST(AugmentedLagrangian, SaysWhatCannotBeMet) {
   MatX a(2, 2);
   a << 1, 1, 1, 1;
-  for (const OptimizeOptions& options : all_methods()) {
+  for (const OptimizeOptions& options : all_methods(2000)) {
     AnalyticProblem contradiction = near(Vec2(0, 0)), too_far = near(Vec2(0, 0), 0.5);
     contradiction.set_constraints(linear_functions(a, Vec2(0, 1)), {false, false});
     ConstrainedState end;
@@ -131,16 +124,24 @@ TEST(AugmentedLagrangian, RaisesThePenaltyOnlyWhenItMust) {
   AnalyticProblem problem = near(Vec2(2, 1));
   problem.set_constraints(circle(), {false});
   ConstrainedState strong, weak;
-  solve(problem, {}, {.first_penalty = 100}, DesignVerdict::kConverged, &strong);
+  OptimizeOptions options;
+  options.gradient_tolerance = 1e-10;
+  options.decrease_tolerance = 0;
+  ConstraintOptions constraints = kSharp;
+  constraints.first_penalty = 100;
+  solve(problem, options, constraints, DesignVerdict::kConverged, &strong);
   EXPECT_EQ(strong.penalty, 100);
   problem.put_at(Vec2(0.3, 0.3));
-  solve(problem, {}, {.first_penalty = 0.01}, DesignVerdict::kConverged, &weak);
+  constraints.first_penalty = 0.01;
+  solve(problem, options, constraints, DesignVerdict::kConverged, &weak);
   EXPECT_GT(weak.penalty, 0.01);
-  EXPECT_NEAR(weak.multipliers[0], strong.multipliers[0], 1e-4);
+  // 2 x multiplier = wanted - x
+  EXPECT_NEAR(strong.multipliers[0], 0.5 * (std::sqrt(5.0) - 1), 1e-6);
+  EXPECT_NEAR(weak.multipliers[0], strong.multipliers[0], 1e-6);
 }
 
 TEST(AugmentedLagrangian, ResumesWithTheSameBytes) {
-  for (OptimizeOptions options : all_methods()) {
+  for (OptimizeOptions options : all_methods(2000)) {
     options.gradient_tolerance = 1e-6;
     const auto make = [] {
       AnalyticProblem p = near(Vec2(2, 1));
@@ -173,10 +174,9 @@ TEST(AugmentedLagrangian, ResumesWithTheSameBytes) {
 
 TEST(AugmentedLagrangian, OptionsHaveToMakeSense) {
   EXPECT_TRUE(ConstraintOptions{}.validate().ok());
-  for (const ConstraintOptions& o :
-       {ConstraintOptions{.tolerance = 0}, ConstraintOptions{.max_rounds = 0},
-        ConstraintOptions{.first_penalty = std::nan("")}, ConstraintOptions{.penalty_growth = 1},
-        ConstraintOptions{.enough_fall = 1}}) {
+  for (const ConstraintOptions& o : {ConstraintOptions{.tolerance = 0}, ConstraintOptions{.max_rounds = 0},
+                                     ConstraintOptions{.first_penalty = std::nan("")},
+                                     ConstraintOptions{.penalty_growth = 1}, ConstraintOptions{.enough_fall = 1}}) {
     EXPECT_FALSE(o.validate().ok());
   }
 }

@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 #include <random>
 
-#include "tests/analytic_problem.h"
+#include "scenes/analytic_problem.h"
 
 namespace lissom {
 
@@ -34,8 +34,8 @@ inline AnalyticCase linear_in_box() {
   const MatX gram = a.transpose() * a;
   const VecX other = VecX::NullaryExpr(kResiduals, any), solved = gram.llt().solve(a.transpose() * other);
   const VecX r = a * gram.llt().solve(g) + other - a * solved;
-  return {"linear in a box", AnalyticProblem(linear_functions(a, a * x - r), lower + 0.3 * (upper - lower), lower, upper),
-          x};
+  return {"linear in a box",
+          AnalyticProblem(linear_functions(a, a * x - r), lower + 0.3 * (upper - lower), lower, upper), x};
 }
 
 inline SmoothFunctions rosenbrock() {
@@ -138,28 +138,26 @@ inline constexpr int kTurned = 8;
 inline AnalyticCase indefinite() {
   std::mt19937 random(9);
   std::normal_distribution<double> normal;
-  const MatX q = Eigen::HouseholderQR<MatX>(MatX::NullaryExpr(kTurned, kTurned, [&] { return normal(random); }))
-                     .householderQ();
-  const SmoothFunctions r{[q](const VecX& x) -> VecX {
-                            const VecX y = q * x;
-                            VecX v(2 * kTurned);
-                            v.head(kTurned) = y.array().square() - 1;
-                            v.tail(kTurned) = 0.75 * (y.array() - 1);
-                            return v;
-                          },
-                          [q](const VecX& x) {
-                            MatX j(2 * kTurned, kTurned);
-                            j.topRows(kTurned) = 2 * (q * x).asDiagonal() * q;
-                            j.bottomRows(kTurned) = 0.75 * q;
-                            return j;
-                          },
-                          [q](const VecX&, const VecX& w) -> MatX {
-                            return 2 * q.transpose() * w.head(kTurned).asDiagonal() * q;
-                          }};
+  const MatX q =
+      Eigen::HouseholderQR<MatX>(MatX::NullaryExpr(kTurned, kTurned, [&] { return normal(random); })).householderQ();
+  const SmoothFunctions r{
+      [q](const VecX& x) -> VecX {
+        const VecX y = q * x;
+        VecX v(2 * kTurned);
+        v.head(kTurned) = y.array().square() - 1;
+        v.tail(kTurned) = 0.75 * (y.array() - 1);
+        return v;
+      },
+      [q](const VecX& x) {
+        MatX j(2 * kTurned, kTurned);
+        j.topRows(kTurned) = 2 * (q * x).asDiagonal() * q;
+        j.bottomRows(kTurned) = 0.75 * q;
+        return j;
+      },
+      [q](const VecX&, const VecX& w) -> MatX { return 2 * q.transpose() * w.head(kTurned).asDiagonal() * q; }};
   VecX y(kTurned);
   for (int i = 0; i < kTurned; ++i) y[i] = 0.02 * (i + 1);
-  return {"indefinite",
-          AnalyticProblem(r, q.transpose() * y, VecX::Constant(kTurned, -4), VecX::Constant(kTurned, 4)),
+  return {"indefinite", AnalyticProblem(r, q.transpose() * y, VecX::Constant(kTurned, -4), VecX::Constant(kTurned, 4)),
           q.transpose() * VecX::Ones(kTurned)};
 }
 
