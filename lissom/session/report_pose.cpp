@@ -52,7 +52,8 @@ void draw_targets(const System& system, const State& state, std::span<const Vec3
       }
       strip.name = rod.name;
       strip.shape = structure.edges[rod.edges[e]].section.shape;
-      extend(strip, wanted[a], wanted[b], state.edges[rod.edges[e]].material().n, structure.edges[rod.edges[e]].section);
+      extend(strip, wanted[a], wanted[b], state.edges[rod.edges[e]].material().n,
+             structure.edges[rod.edges[e]].section);
       drawn[a] = drawn[b] = 1;
     }
     flush();
