@@ -142,6 +142,7 @@ Result<std::string> report_histograms(const DesignReport& report) {
     Histogram histogram;
     histogram.title = kind;
     histogram.counted = "parameters";
+    histogram.bins = 40;
     histogram.width = kWidth;
     histogram.height = kHeight;
     histogram.text_size = kText;

@@ -51,7 +51,13 @@ Result<HistogramBins> histogram_bins(const Histogram& histogram) {
       high = std::max(high, v);
     }
   }
-  if (low > high) {
+  const bool any = low <= high;
+  for (const ChartGuide& guide : histogram.guides) {
+    if (guide.direction != ChartGuide::Direction::kVertical || !std::isfinite(guide.value)) continue;
+    low = std::min(low, guide.value);
+    high = std::max(high, guide.value);
+  }
+  if (!any) {
     return Error{ErrorCode::kRange, "histogram", "there is no value to count", "give at least one finite value"};
   }
   HistogramBins bins;
@@ -79,10 +85,7 @@ Result<std::string> draw_histogram(const Histogram& histogram, ImageFormat forma
   for (const std::vector<int>& counts : bins.counts) {
     highest = std::max(highest, *std::max_element(counts.begin(), counts.end()));
   }
-  std::vector<double> xs{bins.low, bins.low + bins.width * static_cast<double>(count)};
-  for (const ChartGuide& guide : histogram.guides) {
-    if (guide.direction == ChartGuide::Direction::kVertical) xs.push_back(guide.value);
-  }
+  const std::vector<double> xs{bins.low, bins.low + bins.width * static_cast<double>(count)};
   ChartAxis counted{
       .label = histogram.counted, .numbers = ChartAxis::Numbers::kWhole, .low = 0, .high = 1.08 * highest};
   const Result<AxisScale> x = make_scale(histogram.x, xs, "x axis");

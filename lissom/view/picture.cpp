@@ -57,7 +57,6 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
         add_rods(track, camera, layer.drawing, {.plain = layer.ink, .line = 0, .thinnest = kTrackEm * em}, budget / 3);
         break;
       case Layer::Style::kLines:
-        add_rods(front, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
         break;
       case Layer::Style::kSolid: {
         Paint rods{.field = field_of(layer.drawing, options.field),
@@ -84,6 +83,12 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
   behind.paint(canvas);
   front.paint(canvas);
   through.paint(canvas, kSeenThrough);
+  for (const Layer& layer : panel.layers) {
+    if (layer.style != Layer::Style::kLines) continue;
+    Scene lines(camera);  // of its own: where shapes coincide the later one is seen whole instead of both in patches
+    add_rods(lines, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
+    lines.paint(canvas);
+  }
   for (const Layer& layer : panel.layers) {
     for (const std::vector<Vec3>& guide : layer.guides) {
       std::vector<Vec2> page;

@@ -20,7 +20,7 @@ struct Layer {
     kGhost,   ///< true sections of the rods, light grey, behind everything solid
     kDashed,  ///< dashed centrelines of the rods, behind everything solid
     kTrack,   ///< rods as flat bands in `ink`, behind everything else: what lines are compared with
-    kLines,   ///< centrelines of the rods in `ink`, among what is solid: shapes that may nearly coincide
+    kLines,   ///< centrelines of the rods in `ink`, over everything solid, layer by layer: shapes that may coincide
   };
   Drawing drawing;
   Style style = Style::kSolid;
