@@ -41,7 +41,8 @@ const char* tone_class(DesignReport::Tone tone) {
 /// First letter in upper case, when it is a plain one.
 std::string as_heading(const std::string& text) {
   std::string heading = xml_escaped(text);
-  if (!heading.empty() && heading[0] >= 'a' && heading[0] <= 'z') heading[0] = static_cast<char>(heading[0] - 'a' + 'A');
+  if (!heading.empty() && heading[0] >= 'a' && heading[0] <= 'z')
+    heading[0] = static_cast<char>(heading[0] - 'a' + 'A');
   return heading;
 }
 
@@ -57,7 +58,8 @@ std::string tiles(const DesignReport& report) {
     const DesignReport::Goal& g = report.goals[i];
     const std::string gain = report_gain(g.rms_before, g.rms_after);
     html += fmt::format(
-        "<li><div class=\"name\">{}</div><div class=\"big\"><small>{} \u2192</small> {}</div>{}{}<div class=\"name\">RMS before "
+        "<li><div class=\"name\">{}</div><div class=\"big\"><small>{} \u2192</small> {}</div>{}{}<div "
+        "class=\"name\">RMS before "
         "\u2192 after{}</div></li>\n",
         xml_escaped(g.name), report_value(g.rms_before, g.measure), report_quantity(g.rms_after, g.measure),
         bar("before", g.rms_before, std::max(g.rms_before, g.rms_after)),
@@ -73,9 +75,8 @@ std::string tiles(const DesignReport& report) {
 
 /// What it took, in a sentence.
 std::string facts(const DesignReport& report) {
-  const auto bound = std::count_if(report.parameters.begin(), report.parameters.end(), [](const auto& p) {
-    return p.bound != DesignReport::Parameter::Bound::kFree;
-  });
+  const auto bound = std::count_if(report.parameters.begin(), report.parameters.end(),
+                                   [](const auto& p) { return p.bound != DesignReport::Parameter::Bound::kFree; });
   const int iterations = report.history.empty() ? 0 : report.history.back().iteration;
   std::string html = "<p>" + report_count(iterations, "accepted iteration", "accepted iterations") + " in " +
                      report_time(report.seconds) + ". ";
@@ -89,13 +90,14 @@ std::string facts(const DesignReport& report) {
 
 std::string head(const DesignReport& report) {
   const std::string title = xml_escaped(report.title.empty() ? report.document : report.title);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>"
-                     "<meta name=\"color-scheme\" content=\"light dark\"/><title>" +
-                     title + " \u2013 inverse design</title><style>" + report_style() + "</style></head>\n<body>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>"
+      "<meta name=\"color-scheme\" content=\"light dark\"/><title>" +
+      title + " \u2013 inverse design</title><style>" + report_style() + "</style></head>\n<body>\n";
   html += "<header><p class=\"eyebrow\">Inverse design report" +
-          (report.version.empty() ? std::string() : " \u00b7 lissom " + xml_escaped(report.version)) + "</p><h1>" + title +
-          "</h1>";
+          (report.version.empty() ? std::string() : " \u00b7 lissom " + xml_escaped(report.version)) + "</p><h1>" +
+          title + "</h1>";
   if (!report.document.empty()) html += "<p class=\"faint\">" + xml_escaped(report.document) + "</p>";
   return html + "</header>\n<main>\n";
 }
@@ -160,7 +162,8 @@ Result<std::string> design_report_html(const DesignReport& report) {
   html += "</nav>\n";
   for (const Chapter& s : chapters) {
     if (s.body.empty()) continue;
-    html += fmt::format("<section aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>\n", s.id, s.name) + s.body + "</section>\n";
+    html += fmt::format("<section aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>\n", s.id, s.name) + s.body +
+            "</section>\n";
   }
   return html + "</main>\n</body></html>\n";
 }

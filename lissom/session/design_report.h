@@ -45,7 +45,7 @@ struct DesignReport {
     double objective = 0;  ///< h, a pure number
     double gradient = 0;   ///< norm of the projected gradient, a pure number
     int active_bounds = 0;
-    double radius = 0;        ///< cap of the step, in scaled parameters
+    double radius = 0;             ///< cap of the step, in scaled parameters
     std::string stage = {};        ///< "coarse", "fine"; a change of it is marked in the plots
     std::vector<double> rms = {};  ///< per goal, SI
   };
@@ -77,7 +77,7 @@ struct DesignReport {
     std::vector<Target> targets = {};  ///< empty: this pose has no targets for nodes
     Drawing target = {};               ///< pieces of rods whose nodes have targets; may be empty
     std::vector<Vec3> dots = {};       ///< m, targets that are in no piece of a rod
-    Drawing before = {}, after = {};        ///< `after` may have a field "deviation" (report_pose.h)
+    Drawing before = {}, after = {};   ///< `after` may have a field "deviation" (report_pose.h)
   };
 
   std::string title = {};     ///< of the structure

@@ -142,6 +142,7 @@ Result<std::string> report_histograms(const DesignReport& report) {
     Histogram histogram;
     histogram.title = kind;
     histogram.counted = "parameters";
+    histogram.bins = 40;
     histogram.width = kWidth;
     histogram.height = kHeight;
     histogram.text_size = kText;
@@ -149,11 +150,12 @@ Result<std::string> report_histograms(const DesignReport& report) {
     int lower = 0, upper = 0, count = 0;
     double low = -INFINITY, high = INFINITY;
     bool first = true, same_bounds = true;
+    DesignReport::Measure measure;
     for (const Parameter& p : report.parameters) {
       if (p.kind != kind) continue;
       if (first) low = p.lower, high = p.upper;
       same_bounds &= p.lower == low && p.upper == high;
-      histogram.x = {.label = "value", .unit = p.measure.unit, .display_scale = p.measure.display_scale};
+      measure = p.measure;
       final_values.values.push_back(p.value);
       start.values.push_back(p.start);
       lower += p.bound == Parameter::Bound::kLower;
@@ -161,7 +163,11 @@ Result<std::string> report_histograms(const DesignReport& report) {
       ++count;
       first = false;
     }
-    histogram.series = {final_values, start};
+    histogram.series = {final_values};
+    const auto [least, most] = std::minmax_element(start.values.begin(), start.values.end());
+    const bool one_start = *least == *most;  // a single bar as high as all others together would say less than words
+    if (!one_start) histogram.series.push_back(start);
+    histogram.x = {.label = "value", .unit = measure.unit, .display_scale = measure.display_scale};
     if (same_bounds && std::isfinite(low)) {
       histogram.guides.push_back({ChartGuide::Direction::kVertical, low, "lower bound"});
     }
@@ -172,8 +178,9 @@ Result<std::string> report_histograms(const DesignReport& report) {
     const Result<std::string> picture = draw_histogram(histogram, ImageFormat::kInlineSvg);
     if (!picture) return picture.error();
     html += figure(picture.value(),
-                   fmt::format("{}: {} at the lower bound, {} at the upper one.{}",
+                   fmt::format("{}: {} at the lower bound, {} at the upper one.{}{}",
                                report_count(count, "parameter", "parameters"), lower, upper,
+                               one_start ? " All started at " + report_quantity(*least, measure) + "." : "",
                                same_bounds ? "" : " Bounds differ between them and are in the table."));
   }
   return html.empty() ? std::string() : "<div class=\"grid\">" + html + "</div>\n";

@@ -52,7 +52,8 @@ void draw_targets(const System& system, const State& state, std::span<const Vec3
       }
       strip.name = rod.name;
       strip.shape = structure.edges[rod.edges[e]].section.shape;
-      extend(strip, wanted[a], wanted[b], state.edges[rod.edges[e]].material().n, structure.edges[rod.edges[e]].section);
+      extend(strip, wanted[a], wanted[b], state.edges[rod.edges[e]].material().n,
+             structure.edges[rod.edges[e]].section);
       drawn[a] = drawn[b] = 1;
     }
     flush();
@@ -62,14 +63,14 @@ void draw_targets(const System& system, const State& state, std::span<const Vec3
   }
 }
 
-/// Shorter over longer half-axis of the cloud of points as it is seen: small where it is seen edge-on.
-double roundness(const DesignReport::Pose& pose, const Camera& camera) {
+/// Shorter over longer half-axis of a shape as it is seen: small where it is seen edge-on.
+double roundness(const DesignReport::Pose& pose, Vec3 DesignReport::Target::*shape, const Camera& camera) {
   Vec2 mean = Vec2::Zero();
-  for (const DesignReport::Target& t : pose.targets) mean += camera.project(t.wanted);
+  for (const DesignReport::Target& t : pose.targets) mean += camera.project(t.*shape);
   mean /= static_cast<double>(pose.targets.size());
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const DesignReport::Target& t : pose.targets) {
-    const Vec2 d = camera.project(t.wanted) - mean;
+    const Vec2 d = camera.project(t.*shape) - mean;
     spread += d * d.transpose();
   }
   const double half = spread.trace() / 2;
@@ -120,8 +121,10 @@ Viewpoint view_of_deviations(const DesignReport::Pose& pose) {
         const Vec3 d = t.before - t.wanted;
         seen += d.squaredNorm() - std::pow(d.dot(camera.towards()), 2);
       }
-      // Deviations that are seen whole are of no use where the shape is seen edge-on. Nearly equal: the first is kept.
-      const double score = std::sqrt(seen / whole) * (0.4 + 0.6 * std::min(1.0, 2 * roundness(pose, camera)));
+      const double round = std::min(roundness(pose, &DesignReport::Target::wanted, camera),
+                                    roundness(pose, &DesignReport::Target::before, camera));
+      // Deviations that are seen whole are of no use where a shape is seen edge-on. Nearly equal: the first is kept.
+      const double score = std::sqrt(seen / whole) * (0.4 + 0.6 * std::min(1.0, 2 * round));
       if (score > most * 1.01) most = score, best = view;
     }
   }

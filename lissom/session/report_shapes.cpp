@@ -17,7 +17,7 @@ namespace {
 using ReportPose = DesignReport::Pose;
 
 constexpr int kWidth = 520, kHeight = 430, kChartHeight = 260;  // px, half of the page
-constexpr double kText = 12.5;                                   // px
+constexpr double kText = 12.5;                                  // px
 constexpr double kMuchCloser = 4;  // from this on the deviations before say nothing in a histogram with those after
 
 const DesignReport::Measure kMillimetres{};
@@ -89,12 +89,12 @@ Result<std::string> overlay(const ReportPose& pose) {
     keys += swatch("band", "target, wide grey");
   }
   Layer before{.drawing = rods_of(pose.before, nullptr), .style = Layer::Style::kLines, .ink = kSeriesInk[1]};
-  before.weight = 0.8;
+  before.weight = 0.7;
   Layer after{.drawing = rods_of(pose.after, nullptr), .style = Layer::Style::kLines, .ink = kSeriesInk[0]};
-  after.weight = 1.4;
+  after.weight = 1.15;
   layers.push_back(std::move(before));
   layers.push_back(std::move(after));
-  const Result<std::string> picture = drawn(layers, options_of(pose, "Shapes"), pose);
+  const Result<std::string> picture = drawn(layers, options_of(pose, "Target, before and after"), pose);
   if (!picture) return picture.error();
   keys += swatch("before", "before, thin orange") + swatch("after", "after, thick blue");
   return "<figure>" + picture.value() + "<figcaption>" + keys + "</figcaption></figure>\n";
@@ -104,11 +104,13 @@ Result<std::string> deviation_figure(const ReportPose& pose, const Deviations& d
   PictureOptions options = options_of(pose, "Distance from the target, after");
   options.field = kDeviation;
   options.range = ColorRange{0, scale_end};
+  options.axes = Visibility::kHidden;  // those of the picture beside it
   const Result<std::string> picture =
       drawn({{.drawing = rods_of(pose.after, kDeviation), .style = Layer::Style::kSolid}}, options, pose);
   if (!picture) return picture.error();
-  return fmt::format("<figure>{}<figcaption>Largest distance {}; the scale is the same for all poses.</figcaption></figure>\n",
-                     picture.value(), report_quantity(d.largest_after, kMillimetres));
+  return fmt::format(
+      "<figure>{}<figcaption>Largest distance {}; the scale is the same for all poses.</figcaption></figure>\n",
+      picture.value(), report_quantity(d.largest_after, kMillimetres));
 }
 
 Result<std::string> spread_figure(const Deviations& d) {
@@ -124,10 +126,11 @@ Result<std::string> spread_figure(const Deviations& d) {
   if (comparable) histogram.series.push_back({.name = "before", .values = d.before});
   const Result<std::string> picture = draw_histogram(histogram, ImageFormat::kInlineSvg);
   if (!picture) return picture.error();
-  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture.value(),
-                     comparable ? "How many nodes are how far from their targets."
-                                : fmt::format("How many nodes are how far from their targets. Before, the root mean square was {}.",
-                                              report_quantity(d.rms_before, kMillimetres)));
+  return fmt::format(
+      "<figure>{}<figcaption>{}</figcaption></figure>\n", picture.value(),
+      comparable ? "How many nodes are how far from their targets."
+                 : fmt::format("How many nodes are how far from their targets. Before, the root mean square was {}.",
+                               report_quantity(d.rms_before, kMillimetres)));
 }
 
 std::string numbers_table(const ReportPose& pose, const Deviations& d) {

@@ -9,8 +9,10 @@ namespace lissom {
 namespace {
 
 /// Colours of the page itself: fields behind figures, and marks of verdicts. 4.5:1 for all text.
-constexpr const char* kLightOnly = "--card:#f6f7f9;--trouble:#b3261e;--stopped:#8a5a00;--link:#005a8c;color-scheme:light;";
-constexpr const char* kDarkOnly = "--card:#1d2229;--trouble:#ff8a80;--stopped:#f2b84b;--link:#7cc4f2;color-scheme:dark;";
+constexpr const char* kLightOnly =
+    "--card:#f6f7f9;--trouble:#b3261e;--stopped:#8a5a00;--link:#005a8c;color-scheme:light;";
+constexpr const char* kDarkOnly =
+    "--card:#1d2229;--trouble:#ff8a80;--stopped:#f2b84b;--link:#7cc4f2;color-scheme:dark;";
 
 constexpr const char* kRules = R"(
 *{box-sizing:border-box}

@@ -20,8 +20,8 @@ std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
 /// Opens a table that scrolls by itself when the page is narrow. Columns whose names start with '<' hold words.
 std::string open_table(const std::string& caption, const std::vector<std::string>& columns) {
-  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption + "\"><table><caption>" +
-                     caption + "</caption><thead><tr>";
+  std::string html = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + caption +
+                     "\"><table><caption>" + caption + "</caption><thead><tr>";
   for (const std::string& name : columns) {
     const bool words = name[0] == '<';
     html += fmt::format("<th scope=\"col\"{}>{}</th>", words ? " class=\"w\"" : "", words ? name.substr(1) : name);
@@ -65,8 +65,8 @@ std::string parameter_row(const Parameter& p) {
          cell(bound_words(p.bound)) + "</tr>\n";
 }
 
-const std::vector<std::string> kParameterColumns = {"<Parameter", "Before", "After",     "Lower bound",
-                                                    "Upper bound", "Between", "Gradient", "At bound"};
+const std::vector<std::string> kParameterColumns = {"<Parameter",  "Before",   "After",    "Lower bound",
+                                                    "Upper bound", "<Between", "Gradient", "At bound"};
 
 }  // namespace
 
@@ -74,7 +74,8 @@ std::string report_goals(const DesignReport& report) {
   std::string html = open_table("Goals, by the root mean square (RMS) of their deviations",
                                 {"<Goal", "<Pose", "RMS before", "RMS after", "<", "Largest before", "Largest after"});
   for (const DesignReport::Goal& g : report.goals) {
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"w\">{}</td>", xml_escaped(g.name), xml_escaped(g.pose));
+    html +=
+        fmt::format("<tr><th scope=\"row\">{}</th><td class=\"w\">{}</td>", xml_escaped(g.name), xml_escaped(g.pose));
     html += cell(report_quantity(g.rms_before, g.measure)) + cell(report_quantity(g.rms_after, g.measure));
     html += "<td class=\"w\">" + report_gain(g.rms_before, g.rms_after) + "</td>";
     html += cell(report_quantity(g.largest_before, g.measure)) + cell(report_quantity(g.largest_after, g.measure));
@@ -92,8 +93,9 @@ std::string report_history(const DesignReport& report) {
                      open_table("Accepted iterations; number 0 is the start", columns);
   for (const DesignReport::Step& s : report.history) {
     html += fmt::format("<tr><th scope=\"row\" class=\"n\">{}</th>", s.iteration) + cell(report_time(s.seconds)) +
-            cell(report_number(s.objective, 4)) + cell(report_number(s.gradient)) + cell(std::to_string(s.active_bounds)) +
-            cell(report_number(s.radius)) + "<td class=\"w\">" + xml_escaped(s.stage) + "</td>";
+            cell(report_number(s.objective, 4)) + cell(report_number(s.gradient)) +
+            cell(std::to_string(s.active_bounds)) + cell(report_number(s.radius)) + "<td class=\"w\">" +
+            xml_escaped(s.stage) + "</td>";
     for (size_t g = 0; g < s.rms.size(); ++g) html += cell(report_value(s.rms[g], report.goals[g].measure));
     html += "</tr>\n";
   }
@@ -133,21 +135,23 @@ std::string report_effort(const DesignReport& report) {
   const double whole = std::max(report.seconds, known);
   std::string html;
   if (whole > 0) {
-    html += open_table("Time by kind of work; " + report_time(report.seconds) + " in all",
-                       {"<Work", "Time", "Share", "<"});
+    html +=
+        open_table("Time by kind of work; " + report_time(report.seconds) + " in all", {"<Work", "Time", "Share", "<"});
     for (const DesignReport::Share& s : shares) {
       const double percent = std::isfinite(s.seconds) ? std::clamp(100 * s.seconds / whole, 0.0, 100.0) : 0;
-      html += fmt::format("<tr><th scope=\"row\">{}</th>", xml_escaped(s.name)) + cell(report_time(s.seconds)) +
-              cell(fmt::format("{:.0f}\u202f%", percent)) +
-              fmt::format("<td class=\"wide\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n", percent);
+      html +=
+          fmt::format("<tr><th scope=\"row\">{}</th>", xml_escaped(s.name)) + cell(report_time(s.seconds)) +
+          cell(fmt::format("{:.0f}\u202f%", percent)) +
+          fmt::format("<td class=\"wide\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n", percent);
     }
     html += kCloseTable;
   }
   const DesignReport::Size& size = report.size;
-  html += "<p>The problem: " + report_count(size.rods, "rod", "rods") + ", " + report_count(size.nodes, "node", "nodes") +
-          ", " + report_count(size.unknowns, "unknown", "unknowns") + " per pose, " +
-          report_count(size.poses, "pose", "poses") + ", " + report_count(size.parameters, "parameter", "parameters") +
-          ", " + report_count(size.goals, "goal", "goals") + ".</p>\n";
+  html += "<p>The problem: " + report_count(size.rods, "rod", "rods") + ", " +
+          report_count(size.nodes, "node", "nodes") + ", " + report_count(size.unknowns, "unknown", "unknowns") +
+          " per pose, " + report_count(size.poses, "pose", "poses") + ", " +
+          report_count(size.parameters, "parameter", "parameters") + ", " + report_count(size.goals, "goal", "goals") +
+          ".</p>\n";
   return html;
 }
 

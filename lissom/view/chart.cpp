@@ -55,9 +55,7 @@ class Page {
   }
 
  private:
-  Vec2 at(double x, double y) const {
-    return frame_.at(x * chart_.x.display_scale, y * chart_.y.display_scale);
-  }
+  Vec2 at(double x, double y) const { return frame_.at(x * chart_.x.display_scale, y * chart_.y.display_scale); }
 
   Stroke line_of(size_t index) const {
     const std::array<std::vector<double>, 4> dashes = {{{}, {0.9, 0.45}, {0.25, 0.35}, {0.9, 0.35, 0.25, 0.35}}};
@@ -109,7 +107,8 @@ class Page {
 
   void draw_names() {
     double widest = 0;
-    for (const ChartSeries& series : chart_.series) widest = std::max(widest, canvas_.text_width(series.name, frame_.label()));
+    for (const ChartSeries& series : chart_.series)
+      widest = std::max(widest, canvas_.text_width(series.name, frame_.label()));
     const Vec2 size(widest + 4 * em_, 1.5 * em_ * static_cast<double>(chart_.series.size()) + 0.5 * em_);
     const double pad = 0.7 * em_;
     const std::array<Vec2, 4> corners = {{{right_ - size.x() - pad, top_ + pad},
@@ -168,7 +167,8 @@ Result<std::string> draw_chart(const Chart& chart, ImageFormat format) {
   if (!y) return y.error();
   Canvas canvas(format, chart.width, chart.height);
   const double fitting = std::sqrt(static_cast<double>(chart.width) * chart.height) / 52;
-  Page(canvas, chart, x.value(), y.value(), chart.text_size > 0 ? chart.text_size : std::clamp(fitting, 7.0, 40.0)).draw();
+  Page(canvas, chart, x.value(), y.value(), chart.text_size > 0 ? chart.text_size : std::clamp(fitting, 7.0, 40.0))
+      .draw();
   return canvas.finish(chart.title.empty() ? "Chart drawn by lissom" : chart.title);
 }
 

@@ -20,7 +20,7 @@ struct ChartAxis {
   std::string unit = {};     ///< as displayed; empty: a pure number
   double display_scale = 1;  ///< shown value = given value * display_scale
   Scale scale = Scale::kLinear;
-  Numbers numbers = Numbers::kReal;  ///< whole: ticks at whole numbers only
+  Numbers numbers = Numbers::kReal;           ///< whole: ticks at whole numbers only
   std::optional<double> low = {}, high = {};  ///< ends, as given (before display_scale); absent: fits the data
 };
 

@@ -122,8 +122,7 @@ void ChartFrame::draw_grid(const ChartAxis& x, const ChartAxis& y, const std::st
   TextStyle upright = name;
   upright.angle = std::numbers::pi / 2;
   canvas_.text({1.7 * em_, (top + bottom) / 2}, axis_title(y, y_), upright);
-  canvas_.text({left, 2 * em_}, title,
-               {.size = 1.2 * em_, .color = colors_.ink, .weight = TextStyle::Weight::kBold});
+  canvas_.text({left, 2 * em_}, title, {.size = 1.2 * em_, .color = colors_.ink, .weight = TextStyle::Weight::kBold});
 }
 
 void ChartFrame::draw_guide(ChartGuide::Direction direction, double value, const std::string& label) const {

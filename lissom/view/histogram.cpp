@@ -51,7 +51,13 @@ Result<HistogramBins> histogram_bins(const Histogram& histogram) {
       high = std::max(high, v);
     }
   }
-  if (low > high) {
+  const bool any = low <= high;
+  for (const ChartGuide& guide : histogram.guides) {
+    if (guide.direction != ChartGuide::Direction::kVertical || !std::isfinite(guide.value)) continue;
+    low = std::min(low, guide.value);
+    high = std::max(high, guide.value);
+  }
+  if (!any) {
     return Error{ErrorCode::kRange, "histogram", "there is no value to count", "give at least one finite value"};
   }
   HistogramBins bins;
@@ -79,11 +85,9 @@ Result<std::string> draw_histogram(const Histogram& histogram, ImageFormat forma
   for (const std::vector<int>& counts : bins.counts) {
     highest = std::max(highest, *std::max_element(counts.begin(), counts.end()));
   }
-  std::vector<double> xs{bins.low, bins.low + bins.width * static_cast<double>(count)};
-  for (const ChartGuide& guide : histogram.guides) {
-    if (guide.direction == ChartGuide::Direction::kVertical) xs.push_back(guide.value);
-  }
-  ChartAxis counted{.label = histogram.counted, .numbers = ChartAxis::Numbers::kWhole, .low = 0, .high = 1.08 * highest};
+  const std::vector<double> xs{bins.low, bins.low + bins.width * static_cast<double>(count)};
+  ChartAxis counted{
+      .label = histogram.counted, .numbers = ChartAxis::Numbers::kWhole, .low = 0, .high = 1.08 * highest};
   const Result<AxisScale> x = make_scale(histogram.x, xs, "x axis");
   if (!x) return x.error();
   const Result<AxisScale> y = make_scale(counted, {0, static_cast<double>(highest)}, "y axis");
@@ -92,8 +96,8 @@ Result<std::string> draw_histogram(const Histogram& histogram, ImageFormat forma
   const double em = histogram.text_size > 0 ? histogram.text_size : std::clamp(fitting, 7.0, 40.0);
   Canvas canvas(format, histogram.width, histogram.height);
   const bool named = histogram.series.size() > 1 || !histogram.series.front().name.empty();
-  const ChartFrame frame(canvas, x.value(), y.value(), histogram.theme, em,
-                         histogram.title.empty() && !named && histogram.guides.empty() ? 1.2 * em : 3.2 * em);
+  const double head = !histogram.guides.empty() ? 4.2 : named || !histogram.title.empty() ? 3.2 : 1.2;  // em
+  const ChartFrame frame(canvas, x.value(), y.value(), histogram.theme, em, head * em);
   canvas.fill(frame.colors().page);
   frame.draw_grid(histogram.x, counted, histogram.title);
   frame.clip();

@@ -11,9 +11,7 @@ namespace lissom {
 namespace {
 
 /// From eight-bit channels, 0xrrggbb.
-constexpr Color rgb(unsigned hex) {
-  return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0};
-}
+constexpr Color rgb(unsigned hex) { return {(hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0}; }
 
 // Lightness falls evenly on white and rises evenly on black; blue to purple, which no colour vision deficiency folds.
 constexpr std::array<Color, kPageSteps> kLightSteps = {rgb(0xb4c6d8), rgb(0x92b3d2), rgb(0x7a9ac6), rgb(0x7480b8),

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kPngBudget = 60000, kSvgBudget = 9000;  // pieces per panel
 constexpr double kSeenThrough = 0.2;                  // of rods behind cloth
-constexpr double kLineEm = 0.13;                       // width of kLines
+constexpr double kLineEm = 0.13;                      // width of kLines
+constexpr double kTrackEm = 0.5;  // least width of kTrack: lines in its middle show it on both sides
 
 double em_of(const PictureOptions& options) {
   const double fitting = std::sqrt(static_cast<double>(options.width) * options.height) / 85;
@@ -53,10 +54,9 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
         add_rods(behind, camera, layer.drawing, {.plain = colors.ghost, .contrast = 0.3}, budget / 3);
         break;
       case Layer::Style::kTrack:
-        add_rods(track, camera, layer.drawing, {.plain = layer.ink, .line = 0}, budget / 3);
+        add_rods(track, camera, layer.drawing, {.plain = layer.ink, .line = 0, .thinnest = kTrackEm * em}, budget / 3);
         break;
       case Layer::Style::kLines:
-        add_rods(front, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
         break;
       case Layer::Style::kSolid: {
         Paint rods{.field = field_of(layer.drawing, options.field),
@@ -83,6 +83,12 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
   behind.paint(canvas);
   front.paint(canvas);
   through.paint(canvas, kSeenThrough);
+  for (const Layer& layer : panel.layers) {
+    if (layer.style != Layer::Style::kLines) continue;
+    Scene lines(camera);  // of its own: where shapes coincide the later one is seen whole instead of both in patches
+    add_rods(lines, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
+    lines.paint(canvas);
+  }
   for (const Layer& layer : panel.layers) {
     for (const std::vector<Vec3>& guide : layer.guides) {
       std::vector<Vec2> page;

@@ -19,8 +19,8 @@ struct Layer {
     kSolid,   ///< true sections, shaded, coloured by the field; membranes as cloth
     kGhost,   ///< true sections of the rods, light grey, behind everything solid
     kDashed,  ///< dashed centrelines of the rods, behind everything solid
-    kTrack,   ///< rods as flat bands of their width in `ink`, behind everything else: what others are compared with
-    kLines,   ///< centrelines of the rods in `ink`, among what is solid: shapes that may nearly coincide
+    kTrack,   ///< rods as flat bands in `ink`, behind everything else: what lines are compared with
+    kLines,   ///< centrelines of the rods in `ink`, over everything solid, layer by layer: shapes that may coincide
   };
   Drawing drawing;
   Style style = Style::kSolid;

@@ -21,6 +21,7 @@ struct Paint {
   double contrast = 1;              ///< of the shading
   int steps = 0;                    ///< of the colours; 0: gliding
   std::optional<double> line = {};  ///< px, width of the flat lines that rods are drawn as; 0: as wide as they are seen
+  double thinnest = 0;              ///< px, of lines that are as wide as their rods are seen
 };
 
 /// How rods lie on membranes, or nothing: half of a rod is above the cloth and is painted after it, half below.

@@ -125,7 +125,7 @@ class OnCloth {
 };
 
 void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const std::vector<Ring>& rings,
-               const Painter& painter, double fixed_width, double longest, const OnCloth& cloth) {
+               const Painter& painter, const Paint& paint, double longest, const OnCloth& cloth) {
   std::vector<Vec3> run;
   Color run_color;
   double run_width = 0, run_length = 0, run_nearer = 0;
@@ -140,7 +140,9 @@ void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const st
     const double middle =
         rings[i + 1].edge == a.edge && rings[i + 1].along > 0 ? (a.along + rings[i + 1].along) / 2 : (a.along + 1) / 2;
     const Color color = painter.at(a.edge, middle);
-    const double width = fixed_width > 0 ? fixed_width : apparent_width(a, rod, end - a.centre, camera);
+    const double fixed = paint.line.value_or(0);
+    const double seen = fixed > 0 ? fixed : apparent_width(a, rod, end - a.centre, camera);
+    const double width = std::max(seen, paint.thinnest);
     if (!run.empty() &&
         (to_bytes(color) != to_bytes(run_color) || run_length > longest || std::abs(width - run_width) > 0.3)) {
       flush();
@@ -251,7 +253,7 @@ void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const 
     if (cuts[i].sides > 0) {
       add_tube(scene, rod, rings, cuts[i].sides, painter, paint.contrast, shared, cloth);
     } else {
-      add_lines(scene, camera, rod, rings, painter, paint.line.value_or(0), coarseness * kLongestLine, cloth);
+      add_lines(scene, camera, rod, rings, painter, paint, coarseness * kLongestLine, cloth);
     }
     first_point += rod.points.size();
     first_edge += rod.b.size();

@@ -116,9 +116,9 @@ void SvgWriter::text(const Vec2& at, const std::string& words, const TextStyle& 
   const char* weight = style.weight == TextStyle::Weight::kBold ? " font-weight=\"600\"" : "";
   const Vec2 shift(down * std::sin(style.angle), down * std::cos(style.angle));
   const long x = units(at.x() + shift.x()), y = units(at.y() + shift.y());
-  const std::string turn =
-      style.angle == 0 ? std::string()
-                       : fmt::format(" transform=\"rotate({:.0f} {} {})\"", -style.angle * 180 / std::numbers::pi, x, y);
+  const std::string turn = style.angle == 0 ? std::string()
+                                            : fmt::format(" transform=\"rotate({:.0f} {} {})\"",
+                                                          -style.angle * 180 / std::numbers::pi, x, y);
   body_ += fmt::format("<text fill=\"{}\" font-size=\"{}\"{}{} x=\"{}\" y=\"{}\"{}>{}</text>", page_paint(style.color),
                        units(style.size), anchor, weight, x, y, turn, xml_escaped(words));
 }
@@ -126,8 +126,8 @@ void SvgWriter::text(const Vec2& at, const std::string& words, const TextStyle& 
 void SvgWriter::clip(const Vec2& corner, const Vec2& size) {
   flush();  // a picture in the picture clips without an id
   const long x = units(corner.x()), y = units(corner.y()), width = units(size.x()), height = units(size.y());
-  body_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">", x, y, width, height,
-                       x, y, width, height);
+  body_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">", x, y, width,
+                       height, x, y, width, height);
 }
 
 void SvgWriter::unclip() {

@@ -78,6 +78,17 @@ TEST(Histogram, BoundsAreInsideOfTheAxisAndLabelled) {
   EXPECT_EQ(count(svg, ">10</text>"), 1u);  // mm, on the axis
 }
 
+TEST(Histogram, BinsReachFromBoundToBound) {
+  Histogram histogram = sample();
+  histogram.series = {{.name = "", .values = {1, 2}}};
+  histogram.guides = {{ChartGuide::Direction::kVertical, 0, ""}, {ChartGuide::Direction::kVertical, 4, ""}};
+  const HistogramBins bins = histogram_bins(histogram).value();
+  EXPECT_EQ(bins.low, 0);
+  EXPECT_EQ(bins.counts, (std::vector<std::vector<int>>{{0, 1, 1, 0}}));
+  histogram.series[0].values = {NAN};
+  EXPECT_FALSE(histogram_bins(histogram).ok());  // bounds are no values
+}
+
 TEST(Histogram, ErrorsSayWhere) {
   Histogram histogram = sample();
   histogram.series = {{.name = "", .values = {NAN, INFINITY}}};

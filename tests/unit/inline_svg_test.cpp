@@ -119,6 +119,14 @@ TEST(ReportLayers, TrackIsBehindLinesAndDotsAreOnTop) {
   EXPECT_EQ(count(svg, "<circle"), 1u);
 }
 
+TEST(ReportLayers, LaterLinesCoverEarlierOnesHoweverNear) {
+  // Seen from the front right above, the first one is nearer.
+  const Layer near{.drawing = beam(0.01), .style = Layer::Style::kLines, .ink = {1, 0, 0}};
+  const Layer far{.drawing = beam(0), .style = Layer::Style::kLines, .ink = {0, 1, 0}};
+  const std::string svg = draw_picture({{{near, far}, ""}}, {}, ImageFormat::kInlineSvg).value();
+  EXPECT_LT(svg.rfind("stroke=\"#ff0000\""), svg.find("stroke=\"#00ff00\""));
+}
+
 TEST(ReportLayers, LinesHaveTheWidthOfTheirWeight) {
   const auto width = [](double weight) {
     Layer line{.drawing = beam(0), .style = Layer::Style::kLines, .ink = {0, 1, 0}, .weight = weight};

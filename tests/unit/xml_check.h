@@ -26,7 +26,8 @@ inline std::string xml_fault(const std::string& text) {
     if (static_cast<unsigned char>(c) < 0x20 && c != '\n') return fault("control character", at);
     if (c == '&' && !entity_ok(at)) return fault("loose &", at);
     if (c != '<') {
-      if (open.empty() && std::isspace(static_cast<unsigned char>(c)) == 0) return fault("text outside of the root", at);
+      if (open.empty() && std::isspace(static_cast<unsigned char>(c)) == 0)
+        return fault("text outside of the root", at);
       ++at;
       continue;
     }
