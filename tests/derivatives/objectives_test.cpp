@@ -6,8 +6,7 @@
 #include <set>
 
 #include "lissom/design/objective_stability_margin.h"
-
-#include "objective_cases.h"
+#include "tests/derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -175,9 +174,7 @@ TEST_P(Objectives, EveryOneOfTheListIsTested) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Joints, Objectives, testing::Values(JointKind::kExplicit, JointKind::kCorotational),
-                         [](const auto& info) {
-                           return info.param == JointKind::kExplicit ? "Explicit" : "Corotational";
-                         });
+                         joint_name);
 
 }  // namespace
 }  // namespace lissom

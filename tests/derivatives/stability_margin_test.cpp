@@ -4,8 +4,7 @@
 
 #include "lissom/design/objective_stability_margin.h"
 #include "lissom/equilibrium/solve.h"
-
-#include "objective_cases.h"
+#include "tests/derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -89,10 +88,7 @@ TEST_P(Margin, DerivativesMatchDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Joints, Margin, testing::Values(JointKind::kExplicit, JointKind::kCorotational),
-                         [](const auto& info) {
-                           return info.param == JointKind::kExplicit ? "Explicit" : "Corotational";
-                         });
+INSTANTIATE_TEST_SUITE_P(Joints, Margin, testing::Values(JointKind::kExplicit, JointKind::kCorotational), joint_name);
 
 /// A straight rod between two points may spin: that is no mode to be afraid of.
 TEST(StabilityMargin, SpinsDoNotCount) {
