@@ -14,7 +14,7 @@ using namespace objective_tests;
 class Goals : public testing::TestWithParam<GoalKind> {
  protected:
   void SetUp() override {
-    shape_ = make_shape(model_of_everything(JointKind::kExplicit), 0.15);
+    shape_ = make_shape(model_of_everything(JointKind::kExplicit), 0.15, 0.5);
     ASSERT_NE(shape_, nullptr);
   }
   /// Targets on both sides of the values.

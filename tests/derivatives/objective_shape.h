@@ -117,7 +117,8 @@ inline VecX random_motion(const System& system, std::mt19937& random, double amp
   return dq;
 }
 
-inline std::unique_ptr<Shape> make_shape(const Model& model, double amplitude) {
+/// `stretch`: by which everything has grown before it is moved at random.
+inline std::unique_ptr<Shape> make_shape(const Model& model, double amplitude, double stretch = 0) {
   Result<System> system = make_system(model);
   if (!system) {
     ADD_FAILURE() << system.error().text();
@@ -133,9 +134,12 @@ inline std::unique_ptr<Shape> make_shape(const Model& model, double amplitude) {
   }
   shape->problem = std::move(problem).value();
   State drawn = drawn_state(shape->design.system);
+  const int drawn_positions = 3 * shape->design.system.layout.nodes();
   drawn.load_factor = 1;
   std::mt19937 random(7);
-  if (!advance(shape->design.system, drawn, random_motion(shape->design.system, random, amplitude), shape->state)) {
+  VecX dq = random_motion(shape->design.system, random, amplitude);
+  dq.head(drawn_positions) += stretch * drawn.q.head(drawn_positions);
+  if (!advance(shape->design.system, drawn, dq, shape->state)) {
     ADD_FAILURE() << "the state cannot be reached";
   }
   return shape;
