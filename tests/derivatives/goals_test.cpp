@@ -4,8 +4,7 @@
 #include "lissom/design/network_radii.h"
 #include "lissom/design/objective_stability_margin.h"
 #include "lissom/design/parameter_goals.h"
-
-#include "objective_cases.h"
+#include "tests/derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -15,7 +14,7 @@ using namespace objective_tests;
 class Goals : public testing::TestWithParam<GoalKind> {
  protected:
   void SetUp() override {
-    shape_ = make_shape(model_of_everything(JointKind::kExplicit), 0.15);
+    shape_ = make_shape(model_of_everything(JointKind::kExplicit), 0.15, 0.5);
     ASSERT_NE(shape_, nullptr);
   }
   /// Targets on both sides of the values.
@@ -98,9 +97,9 @@ TEST_P(Goals, OnlyTheWrongSideCounts) {
   }
 }
 
-std::string kind_name(const testing::TestParamInfo<GoalKind>& info) {
+std::string kind_name(const testing::TestParamInfo<GoalKind>& kinds) {
   constexpr const char* kNames[] = {"Reach", "AtMost", "AtLeast"};
-  return kNames[static_cast<int>(info.param)];
+  return kNames[static_cast<int>(kinds.param)];
 }
 INSTANTIATE_TEST_SUITE_P(Kinds, Goals, testing::Values(GoalKind::kReach, GoalKind::kAtMost, GoalKind::kAtLeast),
                          kind_name);

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "lissom/design/objective_stability_margin.h"
-
-#include "objective_cases.h"
+#include "tests/derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -30,7 +29,7 @@ struct Direction {
 std::vector<Direction> directions(const Shape& shape, double amplitude) {
   std::mt19937 random(11);
   std::vector<Direction> all;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 3; ++k) {
     Direction d{random_motion(shape.design.system, random, amplitude), random_numbers(shape, random, amplitude)};
     if (k == 0) d.dn.setZero();
     if (k == 1) d.dq.setZero();
@@ -39,13 +38,13 @@ std::vector<Direction> directions(const Shape& shape, double amplitude) {
   return all;
 }
 
-constexpr double kStep = 2e-3;
 constexpr double kRounding = 4e-15;  // of a component, which is a sum of rounded numbers
 
 class Objectives : public testing::TestWithParam<JointKind> {
  protected:
   void SetUp() override {
-    shape_ = make_shape(model_of_everything(GetParam()), 0.15);
+    // Grown so far that no rod is without axial strain, of which rod strains take the size.
+    shape_ = make_shape(model_of_everything(GetParam()), 0.15, 0.5);
     ASSERT_NE(shape_, nullptr);
     cases_ = cases_of(*shape_);
   }
@@ -83,10 +82,10 @@ TEST_P(Objectives, FirstDerivativesMatchDifferences) {
     c.objective->values(shape_->pose_shape(), values);
     for (const Direction& d : directions(*shape_, 1)) {
       const VecX exact = by_q * d.dq + by_numbers * d.dn;
-      const VecX difference = extrapolated<VecX>(kStep, [&](double h) {
+      const VecX difference = extrapolated<VecX>(c.step, [&](double h) {
         return ((c.components(h * d.dq, h * d.dn) - c.components(-h * d.dq, -h * d.dn)) / (2 * h)).eval();
       });
-      const double rounding = kRounding * values.norm() / (kStep / 4);
+      const double rounding = kRounding * values.norm() / (c.step / 4);
       EXPECT_LT((exact - difference).norm(), 1e-7 * exact.norm() + rounding) << "of " << exact.norm();
     }
   }
@@ -104,7 +103,7 @@ TEST_P(Objectives, SecondDerivativesMatchDifferences) {
     c.objective->values(shape_->pose_shape(), values);
     const std::vector<Direction> all = directions(*shape_, 1);
     bool any = false;
-    for (const auto& [first, second] : {std::pair{0, 2}, {1, 3}, {0, 1}, {2, 3}}) {
+    for (const auto& [first, second] : {std::pair{0, 2}, {1, 2}}) {
       const Direction &a = all[first], &b = all[second];
       const auto product = [&](const Direction& along, const Direction& against) {
         VecX by_q = VecX::Zero(shape_->unknowns()), by_numbers = VecX::Zero(shape_->numbers());
@@ -114,8 +113,8 @@ TEST_P(Objectives, SecondDerivativesMatchDifferences) {
       const double exact = product(a, b), swapped = product(b, a);
       const auto at = [&](double s, double t) { return y.dot(c.components(s * a.dq + t * b.dq, s * a.dn + t * b.dn)); };
       const double difference = extrapolated<double>(
-          kStep, [&](double h) { return (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h); });
-      const double rounding = kRounding * y.cwiseProduct(values).cwiseAbs().sum() / (kStep * kStep / 16);
+          c.step, [&](double h) { return (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h); });
+      const double rounding = kRounding * y.cwiseProduct(values).cwiseAbs().sum() / (c.step * c.step / 16);
       EXPECT_NEAR(exact, difference, 1e-6 * std::abs(exact) + rounding);
       EXPECT_NEAR(exact, swapped, 1e-9 * std::abs(exact) + 1e-3 * rounding);
       any = any || std::abs(exact) > 1e4 * rounding;
@@ -175,9 +174,7 @@ TEST_P(Objectives, EveryOneOfTheListIsTested) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Joints, Objectives, testing::Values(JointKind::kExplicit, JointKind::kCorotational),
-                         [](const auto& info) {
-                           return info.param == JointKind::kExplicit ? "Explicit" : "Corotational";
-                         });
+                         joint_name);
 
 }  // namespace
 }  // namespace lissom

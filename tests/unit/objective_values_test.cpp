@@ -4,8 +4,7 @@
 #include <numbers>
 
 #include "lissom/design/section_strain.h"
-
-#include "../derivatives/objective_cases.h"
+#include "tests/derivatives/objective_cases.h"
 
 namespace lissom {
 namespace {
@@ -24,7 +23,7 @@ struct Bare {
     Structure& structure = design.system.structure;
     structure.nodes = points;
     structure.size = 1;
-    for (const auto& t : triangles) structure.triangles.push_back({t, 0, {}});
+    for (const auto& t : triangles) structure.triangles.push_back({t, 0, {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}});
     StructureMembrane membrane;
     membrane.triangles = static_cast<int>(triangles.size());
     structure.membranes.push_back(membrane);
