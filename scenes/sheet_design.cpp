@@ -95,8 +95,8 @@ std::vector<RadiiField> sheet_targets() {
       return Vec2(r_n * f, r_b * f);
     };
   };
-  return {graded(4.2e-3, 2.5e-3, 0.1, 1), graded(1.2e-3, 1.5e-3, -0.1, 0), graded(1.6e-3, 1.2e-3, 0.1, 1),
-          graded(2e-3, 4e-3, 0.1, 0)};
+  return {graded(3e-3, 2.2e-3, 0.1, 1), graded(1.4e-3, 1.8e-3, -0.1, 0), graded(2e-3, 1.5e-3, 0.2, 1),
+          graded(2e-3, 1.5e-3, 0.2, 0)};
 }
 
 }  // namespace lissom::scene_models
