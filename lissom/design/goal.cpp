@@ -36,7 +36,8 @@ Status check_weights(const VecX& weights, const std::string& where) {
                   "give a weight of 0 or more");
   }
   if (weights.size() > 0 && weights.maxCoeff() > 0) return {};
-  return refuse(ErrorCode::kRange, where, "no place has a weight above 0", "give some place a weight, or leave the goal out");
+  return refuse(ErrorCode::kRange, where, "no place has a weight above 0",
+                "give some place a weight, or leave the goal out");
 }
 
 Status check_size(const Goal& goal, const VecX& numbers, const std::string& where) {

@@ -28,8 +28,9 @@ struct Goal {
   std::shared_ptr<const Objective> objective;
   GoalKind kind = GoalKind::kReach;
   GoalForce force = GoalForce::kSoft;
-  VecX target;        ///< SI, (objective size)
-  VecX weights;       ///< (objective size); of every place they sum up to a share of 1, so that |r| scale is a root mean square
+  VecX target;  ///< SI, (objective size)
+  VecX
+      weights;  ///< (objective size); of every place they sum up to a share of 1, so that |r| scale is a root mean square
   double scale = 1;   ///< SI, Objective::scale
   double weight = 1;  ///< against the other goals
 };

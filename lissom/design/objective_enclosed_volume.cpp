@@ -19,10 +19,10 @@ using Places = std::vector<Vec3>;
 
 /// A closed surface: corners are nodes, then tips of caps.
 struct ClosedSurface {
-  std::vector<int> nodes;                        // of the structure, per corner that is one
-  std::vector<std::vector<int>> rims;            // corners of each rim; its tip is their mean
-  std::optional<Vec3> apex;                      // or the one tip of all caps
-  std::vector<std::array<int, 3>> triangles;     // corners, anticlockwise seen from outside
+  std::vector<int> nodes;                     // of the structure, per corner that is one
+  std::vector<std::vector<int>> rims;         // corners of each rim; its tip is their mean
+  std::optional<Vec3> apex;                   // or the one tip of all caps
+  std::vector<std::array<int, 3>> triangles;  // corners, anticlockwise seen from outside
 
   std::size_t corners() const { return nodes.size() + (apex ? 1 : rims.size()); }
 };
@@ -65,8 +65,7 @@ class EnclosedVolume final : public Objective {
     by_numbers.resize(1, RestNumbers(shape.design.system.structure).size());
   }
 
-  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q,
-                 VecX&) const override {
+  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q, VecX&) const override {
     const Places x = places(shape);
     Places d(x.size(), Vec3::Zero()), change(x.size(), Vec3::Zero());
     for (std::size_t i = 0; i < surface_.nodes.size(); ++i) d[i] = dq.segment<3>(3 * surface_.nodes[i]);
@@ -195,8 +194,7 @@ Result<std::shared_ptr<const Objective>> make_enclosed_volume(const Structure& s
   const Result<std::vector<Edge>> rim = rim_of(surface.triangles);
   if (!rim) return rim.error();
   close_up(rim.value(), surface);
-  return std::shared_ptr<const Objective>(
-      std::make_shared<EnclosedVolume>(std::move(surface), std::move(triangles)));
+  return std::shared_ptr<const Objective>(std::make_shared<EnclosedVolume>(std::move(surface), std::move(triangles)));
 }
 
 }  // namespace lissom

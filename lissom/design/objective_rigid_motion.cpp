@@ -101,8 +101,7 @@ class SetOrientation final : public Objective {
     by_numbers.resize(3, RestNumbers(shape.design.system.structure).size());
   }
 
-  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q,
-                 VecX&) const override {
+  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q, VecX&) const override {
     const Vec3T<Turn> r = turn_of(covariance(shape.state.q));
     const Mat3 along = covariance(dq);  // linear in the places
     Mat3 change = Mat3::Zero();

@@ -170,8 +170,7 @@ class RodStrain final : public Objective {
     const StructureEdge& own = shape.design.system.structure.edges[edge];
     s.shape = own.section.shape;
     s.wall = own.section.wall;
-    s.poisson_ratio =
-        shape.design.model.material(shape.design.system.structure.rods[own.rod].material)->poisson_ratio;
+    s.poisson_ratio = shape.design.model.material(shape.design.system.structure.rods[own.rod].material)->poisson_ratio;
   }
 
   static void add_edge_numbers(const PoseShape& shape, int edge, PlaceStencil& s) {

@@ -18,10 +18,10 @@
 namespace lissom {
 
 struct ObjectiveStencil {
-  int component = 0;          ///< that the value adds to
-  std::vector<int> dofs;      ///< unknowns; may repeat
-  std::vector<int> numbers;   ///< in the order of RestNumbers; may repeat
-  std::vector<double> rest;   ///< their values
+  int component = 0;         ///< that the value adds to
+  std::vector<int> dofs;     ///< unknowns; may repeat
+  std::vector<int> numbers;  ///< in the order of RestNumbers; may repeat
+  std::vector<double> rest;  ///< their values
 
   void add_node(int node) {
     for (int i = 0; i < 3; ++i) dofs.push_back(3 * node + i);

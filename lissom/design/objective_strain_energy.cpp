@@ -9,7 +9,7 @@ namespace lissom {
 
 namespace {
 
-constexpr double kFelt = 0.01;        // of the energy
+constexpr double kFelt = 0.01;         // of the energy
 constexpr double kLeastLoaded = 1e-3;  // of what the largest load does over the size of the structure, for slack shapes
 
 class StrainEnergy final : public Objective {

@@ -41,7 +41,8 @@ class SurfaceDistance final : public Objective {
     for (int k = 0; k < static_cast<int>(nodes_.size()); ++k) {
       const NearestPoint near = surface_->nearest(shape.state.position(nodes_[k]));
       if (kind_ == DistanceKind::kVector) {
-        for (int i = 0; i < 9; ++i) entries.emplace_back(3 * k + i / 3, 3 * nodes_[k] + i % 3, near.across(i / 3, i % 3));
+        for (int i = 0; i < 9; ++i)
+          entries.emplace_back(3 * k + i / 3, 3 * nodes_[k] + i % 3, near.across(i / 3, i % 3));
       } else {
         const Vec3 direction = outwards(shape, k, near).direction;
         for (int i = 0; i < 3; ++i) entries.emplace_back(k, 3 * nodes_[k] + i, direction[i]);
@@ -52,8 +53,7 @@ class SurfaceDistance final : public Objective {
     by_numbers.resize(size(), RestNumbers(shape.design.system.structure).size());
   }
 
-  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q,
-                 VecX&) const override {
+  void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX&, VecX& by_q, VecX&) const override {
     if (kind_ == DistanceKind::kVector) return;
     for (int k = 0; k < static_cast<int>(nodes_.size()); ++k) {
       const NearestPoint near = surface_->nearest(shape.state.position(nodes_[k]));

@@ -43,9 +43,9 @@ class TriangleSurface {
 
   std::vector<Vec3> vertices_;
   std::vector<std::array<int, 3>> triangles_;
-  std::vector<Vec3> normals_;                         // unit, per triangle
-  std::vector<std::array<Vec3, 3>> edge_normals_;     // per triangle: of its edges i to i + 1
-  std::vector<Vec3> corner_normals_;                  // per vertex
+  std::vector<Vec3> normals_;                      // unit, per triangle
+  std::vector<std::array<Vec3, 3>> edge_normals_;  // per triangle: of its edges i to i + 1
+  std::vector<Vec3> corner_normals_;               // per vertex
   std::shared_ptr<const Search> search_;
 };
 
