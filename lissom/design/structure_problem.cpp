@@ -248,6 +248,19 @@ void StructureProblem::accept() {
   settle_point();
 }
 
+bool StructureProblem::is_inequality(int i) const {
+  for (const std::vector<int>& goals : by_pose_) {
+    for (const int g : goals) {
+      const Goal& goal = goals_[static_cast<std::size_t>(g)];
+      if (goal.force != GoalForce::kHard) continue;
+      if (i < goal.objective->size()) return goal.kind != GoalKind::kReach;
+      i -= goal.objective->size();
+    }
+  }
+  LISSOM_ASSERT(false);
+  return false;
+}
+
 VecX StructureProblem::constraint_values() const {
   VecX values(constraints_);
   int at = 0;

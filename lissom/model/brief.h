@@ -85,6 +85,7 @@ struct MirrorBrief {
 enum class Freedom {
   kEach,          ///< parameters change one by one
   kCommonFactor,  ///< one factor multiplies them all
+  kCommonValue,   ///< they all have one value
 };
 
 struct ParameterBrief {

@@ -10,6 +10,9 @@ constexpr std::pair<std::string_view, ModulusBrief::Per> kPers[] = {{"material",
                                                                     {"rod", ModulusBrief::Per::kRod}};
 constexpr std::pair<std::string_view, Control> kControls[] = {{"line_search", Control::kLineSearch},
                                                               {"trust_region", Control::kTrustRegion}};
+constexpr std::pair<std::string_view, Freedom> kFreedoms[] = {{"each", Freedom::kEach},
+                                                              {"common_factor", Freedom::kCommonFactor},
+                                                              {"common_value", Freedom::kCommonValue}};
 constexpr IntegerOf kPlaces{2, 4};
 
 /// [lower, upper].
@@ -77,7 +80,7 @@ struct ParameterEntry {
   std::optional<PinEntry> pin_target;
   std::optional<MoveEntry> move;
   std::optional<MirrorBrief> mirror;
-  bool common_factor = false;
+  Freedom freedom = Freedom::kEach;
 };
 
 void describe(Fields& fields, ParameterEntry& p) {
@@ -96,7 +99,8 @@ void describe(Fields& fields, ParameterEntry& p) {
       .field("move", p.move, ObjectOf<MoveEntry>{"move ranges"}, kOptional, "The movement of a support of a pose.")
       .field("mirror", p.mirror, ObjectOf<MirrorBrief>{"mirror"}, kOptional,
              "A plane at whose sides these parameters agree.")
-      .field("common_factor", p.common_factor, FlagOf(), kOptional, "Whether one factor multiplies them all.");
+      .field("freedom", p.freedom, ChoiceOf<Freedom>{kFreedoms}, kOptional,
+             "Whether they change one by one, by one factor, or all have one value.");
 }
 
 constexpr ObjectOf<ParameterEntry> kParameter{"design parameter"};
@@ -218,7 +222,7 @@ void ParameterBriefOf::read(Reader& reader, const JsonValue& json, ParameterBrie
   if (e.pin_target) parameter.what = e.pin_target->load;
   if (e.move) parameter.what = e.move->load;
   parameter.mirror = e.mirror;
-  parameter.freedom = e.common_factor ? Freedom::kCommonFactor : Freedom::kEach;
+  parameter.freedom = e.freedom;
 }
 
 JsonValue ParameterBriefOf::write(const ParameterBrief& parameter) const {
@@ -239,7 +243,7 @@ JsonValue ParameterBriefOf::write(const ParameterBrief& parameter) const {
     if (load->kind == LoadBrief::Kind::kMove) e.move = MoveEntry{*load};
   }
   e.mirror = parameter.mirror;
-  e.common_factor = parameter.freedom == Freedom::kCommonFactor;
+  e.freedom = parameter.freedom;
   return kParameter.write(e);
 }
 
