@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kStuckRounds = 4;      // with hardly any fall of the violation: it will not fall
 constexpr double kHardlyFell = 0.9;  // share of the violation before
-constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1;  // of the descents of early rounds
+constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1, kLastPrecision = 1e-12;  // of the descents of early rounds
 
 std::string number(double value) {
   char text[32];
@@ -69,10 +69,11 @@ AugmentedLagrangian::AugmentedLagrangian(ReducedProblem& problem, const Optimize
 /// Early rounds need not descend far; and how good h is cannot be said while multipliers are a part of it.
 OptimizeOptions AugmentedLagrangian::of_round(const OptimizeOptions& options, int round) {
   OptimizeOptions o = options;
-  const double precision = kFirstPrecision * std::pow(kMorePrecision, round);
-  o.gradient_tolerance = std::max(options.gradient_tolerance, precision);
-  o.decrease_tolerance = std::max(options.decrease_tolerance, precision * precision);
   o.value_tolerance = 0;
+  const double precision = kFirstPrecision * std::pow(kMorePrecision, round);
+  if (precision <= std::max(options.gradient_tolerance, kLastPrecision)) return o;
+  o.gradient_tolerance = precision;
+  o.decrease_tolerance = std::max(options.decrease_tolerance, precision * precision);
   return o;
 }
 

@@ -12,6 +12,7 @@ namespace lissom {
 
 namespace {
 
+constexpr int kGroping = 8;      // steps that rounding hides, in which the gradient has to fall
 constexpr int kPace = 6;         // iterations from which the pace is taken
 constexpr double kAfresh = 0.1;  // of the first cap: least cap where h has changed
 
@@ -128,7 +129,20 @@ bool Optimizer::look(DesignRecord& record) {
     end(DesignVerdict::kConverged);
     return false;
   }
+  if (gropes(record.gradient)) {
+    end(DesignVerdict::kConverged, "as far as rounding lets one see");
+    return false;
+  }
   return true;
+}
+
+/// Whether the last steps promised less than rounding lets one see, and the gradient has not fallen by them.
+bool Optimizer::gropes(double gradient) const {
+  const int n = static_cast<int>(state_.records.size());
+  if (n < kGroping || gradient < state_.records[n - kGroping].gradient) return false;
+  return std::all_of(state_.records.end() - kGroping, state_.records.end(), [](const DesignRecord& r) {
+    return r.accepted && Iteration::hidden(r.predicted, r.value);
+  });
 }
 
 bool Optimizer::step(const Context& context) {

@@ -39,6 +39,7 @@ class Optimizer {
 
  private:
   bool look(DesignRecord& record);
+  bool gropes(double gradient) const;
   void end(DesignVerdict verdict, const std::string& reason = {});
   void end_without_step();
   void finish_record(DesignRecord& record);

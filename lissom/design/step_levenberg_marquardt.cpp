@@ -40,7 +40,8 @@ class LevenbergMarquardt final : public StepMethod {
  private:
   static StepEnd judge(Iteration& work, const VecX& d, double predicted, double change) {
     OptimizerState& state = work.state;
-    const double ratio = work.below_rounding(predicted) ? (change <= 0 ? kGood : -1) : -change / predicted;
+    const bool blind = work.below_rounding(predicted);
+    const double ratio = !blind ? -change / predicted : work.has_not_risen(change) ? kGood : -1;
     if (ratio > kLeastRatio) {
       if (ratio > kGood) state.damping = std::max(state.damping / kFall, kLeastDamping);
       if (ratio < kPoor) state.damping *= kGrowth;

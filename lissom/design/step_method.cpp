@@ -10,7 +10,9 @@ namespace lissom {
 
 namespace {
 
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kHidden = 64 * kEpsilon;  // of h: promises that rounding hides
+constexpr double kSame = 4 * kEpsilon;     // of h: changes that may be none
 
 }  // namespace
 
@@ -69,9 +71,11 @@ void Iteration::accept(const VecX& d) {
   record.accepted = true;
 }
 
-bool Iteration::below_rounding(double predicted) const {
-  return predicted <= kRounding * std::abs(problem.value());
-}
+bool Iteration::hidden(double predicted, double value) { return predicted <= kHidden * std::abs(value); }
+
+bool Iteration::below_rounding(double predicted) const { return hidden(predicted, problem.value()); }
+
+bool Iteration::has_not_risen(double change) const { return change <= kSame * std::abs(problem.value()); }
 
 bool Iteration::promises_too_little(double predicted, Cut cut) {
   record.predicted = predicted;
@@ -116,7 +120,7 @@ StepEnd judge_by_radius(Iteration& work, const VecX& d, double predicted, double
   OptimizerState& state = work.state;
   const double length = d.cwiseAbs().maxCoeff();
   if (work.below_rounding(predicted)) {  // the ratio is noise
-    if (!(change <= 0)) return StepEnd::kNothingLeft;
+    if (!work.has_not_risen(change)) return StepEnd::kNothingLeft;
     work.accept(d);
     return StepEnd::kAccepted;
   }

@@ -43,8 +43,11 @@ class Iteration {
   /// The last attempt becomes the point. `d` as given to `change`.
   void accept(const VecX& d);
 
-  /// Whether a promised decrease is below what rounding lets one see in h.
+  /// Whether a promised decrease is below what rounding lets one see in h. All that can be asked then is that h has not risen,
+  /// to rounding; such steps go on as long as the gradient falls by them.
   bool below_rounding(double predicted) const;
+  static bool hidden(double predicted, double value);
+  bool has_not_risen(double change) const;
   /// The predicted decrease is recorded; whether it is too small to go on. `whole`: nothing but bounds has cut the step.
   enum class Cut { kWhole, kCut };
   bool promises_too_little(double predicted, Cut cut);

@@ -44,14 +44,13 @@ class LineSearch final : public StepMethod {
     if (work.promises_too_little(p.predicted, p.cut)) return StepEnd::kNothingLeft;
     const double length = p.d.cwiseAbs().maxCoeff();
     const bool full = length >= state.cap * (1 - 1e-9);
-    // Where rounding hides what the model promises, not to rise is all that can be asked.
     const bool blind = work.below_rounding(p.predicted);
     double a = 1;
     for (int halvings = 0;; ++halvings, a *= 0.5) {
       const VecX d = a * p.d;
       const double change = work.change(d);
       if (work.cancelled() && !std::isfinite(change)) return StepEnd::kCancelled;
-      if (change <= (blind ? 0 : kArmijo * a * p.slope)) {
+      if (blind ? work.has_not_risen(change) : change <= kArmijo * a * p.slope) {
         if (a == 1 && full) state.cap *= 2;
         if (a < 1) state.cap = a * std::min(state.cap, 2 * length);
         work.accept(d);
