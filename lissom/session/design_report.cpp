@@ -141,11 +141,11 @@ Result<std::string> design_report_html(const DesignReport& report) {
   for (const Result<std::string>* part : {&convergence, &shapes, &histograms}) {
     if (!*part) return part->error();
   }
-  struct Section {
+  struct Chapter {
     const char *id, *name;
     std::string body;
   };
-  const std::vector<Section> sections = {
+  const std::vector<Chapter> chapters = {
       {"shapes", "Shapes", shapes.value()},
       {"goals", "Goals", report.goals.empty() ? std::string() : report_goals(report)},
       {"convergence", "Convergence", convergence.value() + (report.history.empty() ? "" : report_history(report))},
@@ -154,11 +154,11 @@ Result<std::string> design_report_html(const DesignReport& report) {
       {"time", "Where the time went", report_effort(report)},
       {"again", "How to make this again", reproduction(report)}};
   std::string html = head(report) + verdict(report) + "<nav aria-label=\"Sections\">";
-  for (const Section& s : sections) {
+  for (const Chapter& s : chapters) {
     if (!s.body.empty()) html += fmt::format("<a href=\"#{}\">{}</a> ", s.id, s.name);
   }
   html += "</nav>\n";
-  for (const Section& s : sections) {
+  for (const Chapter& s : chapters) {
     if (s.body.empty()) continue;
     html += fmt::format("<section aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>\n", s.id, s.name) + s.body + "</section>\n";
   }

@@ -26,11 +26,11 @@ struct DesignReport {
   };
 
   struct Named {
-    std::string name, value;
+    std::string name = {}, value = {};
   };
 
   struct Share {
-    std::string name;
+    std::string name = {};
     double seconds = 0;
   };
 
@@ -46,21 +46,21 @@ struct DesignReport {
     double gradient = 0;   ///< norm of the projected gradient, a pure number
     int active_bounds = 0;
     double radius = 0;        ///< cap of the step, in scaled parameters
-    std::string stage;        ///< "coarse", "fine"; a change of it is marked in the plots
-    std::vector<double> rms;  ///< per goal, SI
+    std::string stage = {};        ///< "coarse", "fine"; a change of it is marked in the plots
+    std::vector<double> rms = {};  ///< per goal, SI
   };
 
   struct Goal {
-    std::string name, pose;
-    Measure measure;
+    std::string name = {}, pose = {};
+    Measure measure = {};
     double rms_before = 0, rms_after = 0;          ///< SI
     double largest_before = 0, largest_after = 0;  ///< SI, largest deviation of a component
   };
 
   struct Parameter {
     enum class Bound { kFree, kLower, kUpper };
-    std::string name, kind;  ///< parameters of one kind share a histogram
-    Measure measure;
+    std::string name = {}, kind = {};  ///< parameters of one kind share a histogram
+    Measure measure = {};
     double start = 0, value = 0, lower = 0, upper = 0;  ///< SI; bounds may be infinite
     double gradient = 0;                                ///< of the objective, per scaled parameter, at the end
     Bound bound = Bound::kFree;
@@ -73,33 +73,33 @@ struct DesignReport {
 
   /// Shapes of one pose (report_pose.h makes them).
   struct Pose {
-    std::string name;
-    std::vector<Target> targets;  ///< empty: this pose has no targets for nodes
-    Drawing target;               ///< pieces of rods whose nodes have targets; may be empty
-    std::vector<Vec3> dots;       ///< m, targets that are in no piece of a rod
-    Drawing before, after;        ///< `after` may have a field "deviation" (report_pose.h)
+    std::string name = {};
+    std::vector<Target> targets = {};  ///< empty: this pose has no targets for nodes
+    Drawing target = {};               ///< pieces of rods whose nodes have targets; may be empty
+    std::vector<Vec3> dots = {};       ///< m, targets that are in no piece of a rod
+    Drawing before = {}, after = {};        ///< `after` may have a field "deviation" (report_pose.h)
   };
 
-  std::string title;     ///< of the structure
-  std::string document;  ///< file
+  std::string title = {};     ///< of the structure
+  std::string document = {};  ///< file
   Tone tone = Tone::kReached;
-  std::string verdict;   ///< "settled at a minimum"
-  std::string sentence;  ///< why, in a sentence
-  std::string remedy;    ///< what to do; empty: nothing
-  std::string method;    ///< in words
-  std::vector<Named> options;
-  Size size;
+  std::string verdict = {};   ///< "settled at a minimum"
+  std::string sentence = {};  ///< why, in a sentence
+  std::string remedy = {};    ///< what to do; empty: nothing
+  std::string method = {};    ///< in words
+  std::vector<Named> options = {};
+  Size size = {};
   double seconds = 0;
-  std::vector<Share> shares;  ///< where the time went; what is missing to `seconds` is shown as other
-  std::vector<Step> history;
-  std::vector<Goal> goals;
-  std::vector<Parameter> parameters;
-  std::vector<Pose> poses;
-  std::vector<std::string> warnings;  ///< sentences
-  std::vector<std::string> files;     ///< written beside the report
-  std::string command;                ///< line that makes this again
-  std::string version;                ///< of lissom
-  std::optional<uint64_t> seed;       ///< absent: nothing was random
+  std::vector<Share> shares = {};  ///< where the time went; what is missing to `seconds` is shown as other
+  std::vector<Step> history = {};
+  std::vector<Goal> goals = {};
+  std::vector<Parameter> parameters = {};
+  std::vector<Pose> poses = {};
+  std::vector<std::string> warnings = {};  ///< sentences
+  std::vector<std::string> files = {};     ///< written beside the report
+  std::string command = {};                ///< line that makes this again
+  std::string version = {};                ///< of lissom
+  std::optional<uint64_t> seed = {};       ///< absent: nothing was random
 };
 
 /// The page. Same report, same bytes. Errors: a history whose steps do not have one value per goal, shapes that cannot be

@@ -14,11 +14,11 @@ struct HistogramSeries {
 };
 
 struct Histogram {
-  std::string title;
-  ChartAxis x;                       ///< linear
+  std::string title = {};
+  ChartAxis x = {};                  ///< linear
   std::string counted = "count";     ///< what the bars count, on the y axis
-  std::vector<HistogramSeries> series;
-  std::vector<ChartGuide> guides;    ///< vertical ones are drawn, and are inside of the axis
+  std::vector<HistogramSeries> series = {};
+  std::vector<ChartGuide> guides = {}; ///< vertical ones are drawn, and are inside of the axis
   int bins = 24;                     ///< at most, from the lowest to the highest value
   int width = 1000, height = 640;    ///< px
   double text_size = 0;              ///< px; 0: follows from the size
