@@ -302,7 +302,8 @@ Status add_wishes(const Brief& brief, const BriefSpace& space, BriefGoals& resul
 
 }  // namespace
 
-Result<BriefGoals> make_brief_goals(const Brief& brief, const Design& base, const BriefSpace& space) {
+Result<BriefGoals> make_brief_goals(const Brief& brief, const BriefSpace& space) {
+  const Design& base = *space.base;
   BriefGoals result;
   std::map<int, PoseGround> grounds;
   Places places(base.system.structure.size);

@@ -19,6 +19,6 @@ struct BriefGoals {
 
 /// Errors name the entry, "/design/goals/3/positions": places of parts that nothing holds, numbers of targets, hard goals
 /// that contradict each other or outnumber the parameters, supports that carry nothing.
-Result<BriefGoals> make_brief_goals(const Brief& brief, const Design& base, const BriefSpace& space);
+Result<BriefGoals> make_brief_goals(const Brief& brief, const BriefSpace& space);
 
 }  // namespace lissom

@@ -11,6 +11,7 @@
 #include "lissom/design/load_space.h"
 #include "lissom/design/network_radii.h"
 #include "lissom/design/parameter_goals.h"
+#include "lissom/design/plan_design_space.h"
 #include "lissom/design/rest_shape.h"
 #include "lissom/design/stiffness_spaces.h"
 
@@ -45,6 +46,7 @@ Status check_start(const RadiiBrief& radii, const Structure& structure) {
 
 struct SpaceMaker {
   const std::shared_ptr<const Design>& base;
+  const SpacePtr& plan;  ///< made before, for it makes the base
 
   Result<SpacePtr> operator()(const RadiiBrief& radii) const {
     if (const Status s = check_start(radii, base->system.structure); !s) return s.error();
@@ -99,17 +101,61 @@ struct SpaceMaker {
     }
     return shared(load_space(base, choices));
   }
+  Result<SpacePtr> operator()(const PlanBrief&) const { return plan; }
 };
+
+PlanSpaceOptions options_of(const PlanBrief& brief) {
+  PlanSpaceOptions options;
+  options.points = brief.points;
+  options.radii = brief.radii ? Choice::kFree : Choice::kFixed;
+  options.positions = brief.reach ? Choice::kFree : Choice::kFixed;
+  options.pre_stretch = PreStretchChoice::kFixed;
+  if (brief.radii) options.radius_range = *brief.radii;
+  if (brief.reach) options.reach = *brief.reach;
+  if (brief.pre_stretch) {
+    options.pre_stretch_range = *brief.pre_stretch;
+    options.pre_stretch =
+        brief.axes == PlanBrief::PreStretch::kCommon ? PreStretchChoice::kCommon : PreStretchChoice::kPerAxis;
+  }
+  return options;
+}
+
+/// The design as drawn, and the space of the plan where the brief changes it: that space has a mesh of its own.
+struct Base {
+  std::shared_ptr<const Design> design;
+  SpacePtr plan;
+};
+
+Result<Base> make_base(const Brief& brief, const Model& model) {
+  Base base;
+  for (std::size_t i = 0; i < brief.parameters.size(); ++i) {
+    const PlanBrief* plan = std::get_if<PlanBrief>(&brief.parameters[i].what);
+    if (plan == nullptr) continue;
+    const std::string where = fmt::format("/design/parameters/{}", i);
+    if (base.plan) return Error{ErrorCode::kConflict, where, "the plan is chosen twice", "choose it once"};
+    Result<PlanDesignSpace> made = PlanDesignSpace::make(model, options_of(*plan));
+    if (!made) return made.error();
+    const auto space = std::make_shared<const PlanDesignSpace>(std::move(made).value());
+    base = {space->base(), space};
+  }
+  if (base.design) return base;
+  Result<System> system = make_system(model);
+  if (!system) return system.error();
+  base.design = std::make_shared<const Design>(Design{model, std::move(system).value()});
+  return base;
+}
 
 /// "radii", as in documents.
 const char* word_of(const ParameterKindBrief& what) {
-  constexpr const char* kWords[] = {"radii", "rest shape", "lengths", "moduli", "fabrics", "natural shapes", "loads"};
+  constexpr const char* kWords[] = {"radii", "rest shape", "lengths", "moduli", "fabrics", "natural shapes",
+                                      "loads", "plan"};
   static_assert(std::size(kWords) == std::variant_size_v<ParameterKindBrief>);
   return kWords[what.index()];
 }
 
-Result<SpacePtr> make_entry(const ParameterBrief& entry, const std::shared_ptr<const Design>& base) {
-  Result<SpacePtr> space = std::visit(SpaceMaker{base}, entry.what);
+Result<SpacePtr> make_entry(const ParameterBrief& entry, const Base& made) {
+  const std::shared_ptr<const Design>& base = made.design;
+  Result<SpacePtr> space = std::visit(SpaceMaker{base, made.plan}, entry.what);
   if (!space) return space;
   if (entry.mirror) {
     const MirrorBrief& mirror = *entry.mirror;
@@ -162,14 +208,17 @@ int brief_pose(const Model& model, const std::string& name) {
   return -1;
 }
 
-Result<BriefSpace> make_brief_space(const Brief& brief, const std::shared_ptr<const Design>& base) {
+Result<BriefSpace> make_brief_space(const Brief& brief, const Model& model) {
+  const Result<Base> base = make_base(brief, model);
+  if (!base) return base.error();
   BriefSpace made;
+  made.base = base.value().design;
   std::vector<SpacePtr> parts;
   int first = 0;
   for (std::size_t i = 0; i < brief.parameters.size(); ++i) {
     const ParameterBrief& entry = brief.parameters[i];
     const std::string where = fmt::format("/design/parameters/{}", i);
-    Result<SpacePtr> space = make_entry(entry, base);
+    Result<SpacePtr> space = make_entry(entry, base.value());
     Status status = space ? check_bounds(space.value()->parameters(), space.value()->start()) : Status(space.error());
     if (!status) {
       Error error = status.error();
@@ -182,7 +231,7 @@ Result<BriefSpace> make_brief_space(const Brief& brief, const std::shared_ptr<co
     const auto* radii = std::get_if<RadiiBrief>(&entry.what);
     const auto* shape = std::get_if<RestShapeBrief>(&entry.what);
     if (entry.freedom == Freedom::kEach && (radii != nullptr || shape != nullptr)) {
-      add_neighbours(radii != nullptr ? radii->controls : shape->controls, base->system.structure,
+      add_neighbours(radii != nullptr ? radii->controls : shape->controls, made.base->system.structure,
                      space.value()->parameters(), first, made.neighbours);
     }
     first += space.value()->size();

@@ -72,8 +72,18 @@ struct LoadBrief {
   std::array<std::optional<Vec2>, 3> xyz;  ///< bounds of components
 };
 
-using ParameterKindBrief =
-    std::variant<RadiiBrief, RestShapeBrief, LengthBrief, ModulusBrief, FabricBrief, NaturalBrief, LoadBrief>;
+/// Of the plan: what has a range or a reach.
+struct PlanBrief {
+  enum class PreStretch { kCommon, kPerAxis };
+  std::vector<std::string> points;        ///< control points that take part; empty: all
+  std::optional<Vec2> radii;              ///< m, bounds
+  std::optional<double> reach;            ///< how far points may move along x and y, over the size of the plan
+  std::optional<Vec2> pre_stretch;        ///< bounds
+  PreStretch axes = PreStretch::kCommon;  ///< whether both axes have their own
+};
+
+using ParameterKindBrief = std::variant<RadiiBrief, RestShapeBrief, LengthBrief, ModulusBrief, FabricBrief,
+                                        NaturalBrief, LoadBrief, PlanBrief>;
 
 /// A plane at whose sides a design agrees.
 struct MirrorBrief {

@@ -13,6 +13,8 @@ constexpr std::pair<std::string_view, Control> kControls[] = {{"line_search", Co
 constexpr std::pair<std::string_view, Freedom> kFreedoms[] = {{"each", Freedom::kEach},
                                                               {"common_factor", Freedom::kCommonFactor},
                                                               {"common_value", Freedom::kCommonValue}};
+constexpr std::pair<std::string_view, PlanBrief::PreStretch> kAxes[] = {{"common", PlanBrief::PreStretch::kCommon},
+                                                                        {"per_axis", PlanBrief::PreStretch::kPerAxis}};
 constexpr IntegerOf kPlaces{2, 4};
 
 /// [lower, upper].
@@ -79,6 +81,7 @@ struct ParameterEntry {
   std::optional<MomentEntry> moment;
   std::optional<PinEntry> pin_target;
   std::optional<MoveEntry> move;
+  std::optional<PlanBrief> plan;
   std::optional<MirrorBrief> mirror;
   Freedom freedom = Freedom::kEach;
 };
@@ -97,6 +100,7 @@ void describe(Fields& fields, ParameterEntry& p) {
       .field("pin_target", p.pin_target, ObjectOf<PinEntry>{"pin target ranges"}, kOptional,
              "The target of a soft pin of a pose.")
       .field("move", p.move, ObjectOf<MoveEntry>{"move ranges"}, kOptional, "The movement of a support of a pose.")
+      .field("plan", p.plan, ObjectOf<PlanBrief>{"plan ranges"}, kOptional, "The plan and the pre-stretch of its fabric.")
       .field("mirror", p.mirror, ObjectOf<MirrorBrief>{"mirror"}, kOptional,
              "A plane at whose sides these parameters agree.")
       .field("freedom", p.freedom, ChoiceOf<Freedom>{kFreedoms}, kOptional,
@@ -155,6 +159,16 @@ void describe(Fields& fields, NaturalBrief& natural) {
              "Bounds of the natural length over the drawn one.");
 }
 
+void describe(Fields& fields, PlanBrief& plan) {
+  fields.field("points", plan.points, ListOf<TextOf>{{false}}, kOptional, "Which points; all when absent.")
+      .field("radii", plan.radii, range_of(Measure::kLength), kOptional, "Bounds of the radii at these points.")
+      .field("reach", plan.reach, NumberOf{Measure::kRatio, kPositive}, kOptional,
+             "How far these points may move along x and y, over the size of the plan.")
+      .field("pre_stretch", plan.pre_stretch, range_of(Measure::kRatio), kOptional, "Bounds of the pre-stretch.")
+      .field("axes", plan.axes, ChoiceOf<PlanBrief::PreStretch>{kAxes}, kOptional,
+             "Whether one factor changes the pre-stretch of both axes, or each has its own.");
+}
+
 void describe(Fields& fields, MirrorBrief& mirror) {
   fields.field("normal", mirror.normal, DirectionOf(), kRequired, "Normal of the plane.")
       .field("offset", mirror.offset, NumberOf{Measure::kLength}, kOptional, "Where the plane is, along the normal.")
@@ -207,7 +221,8 @@ void ParameterBriefOf::read(Reader& reader, const JsonValue& json, ParameterBrie
                     {"force", e.force.has_value()},
                     {"moment", e.moment.has_value()},
                     {"pin_target", e.pin_target.has_value()},
-                    {"move", e.move.has_value()}},
+                    {"move", e.move.has_value()},
+                    {"plan", e.plan.has_value()}},
                    "what may change")) {
     return;
   }
@@ -221,6 +236,7 @@ void ParameterBriefOf::read(Reader& reader, const JsonValue& json, ParameterBrie
   if (e.moment) parameter.what = e.moment->load;
   if (e.pin_target) parameter.what = e.pin_target->load;
   if (e.move) parameter.what = e.move->load;
+  if (e.plan) parameter.what = *e.plan;
   parameter.mirror = e.mirror;
   parameter.freedom = e.freedom;
 }
@@ -236,6 +252,7 @@ JsonValue ParameterBriefOf::write(const ParameterBrief& parameter) const {
   put(e.modulus);
   put(e.fabric);
   put(e.natural);
+  put(e.plan);
   if (const LoadBrief* load = std::get_if<LoadBrief>(&parameter.what)) {
     if (load->kind == LoadBrief::Kind::kForce) e.force = ForceEntry{*load};
     if (load->kind == LoadBrief::Kind::kMoment) e.moment = MomentEntry{*load};

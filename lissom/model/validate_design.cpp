@@ -131,6 +131,16 @@ struct ParameterCheck {
     }
   }
 
+  void operator()(const PlanBrief& plan) const {
+    const std::string own = at("plan");
+    if (!check.model.plan) check.fail(ErrorCode::kConflict, own, "the document has no plan", "draw one under \"plan\"");
+    check_names(check, plan.points, check.plan_points, "point of the plan", own + "/points");
+    check_range(check, plan.radii, Sign::kPositive, own + "/radii");
+    if (plan.reach) check.positive(*plan.reach, own + "/reach", "reach");
+    check_range(check, plan.pre_stretch, Sign::kPositive, own + "/pre_stretch");
+    if (!plan.radii && !plan.reach && !plan.pre_stretch) nothing(own);
+  }
+
   void nothing(const std::string& own) const {
     check.fail(ErrorCode::kType, own, "nothing here has a range", "give the bounds of something as [lower, upper]");
   }

@@ -52,12 +52,9 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   run->constraints_.tolerance = run->brief_.settings.constraint_tolerance;
   if (const Status s = run->options_.validate(); !s) return s.error();
   if (const Status s = run->constraints_.validate(); !s) return s.error();
-  Result<System> system = make_system(model);
-  if (!system) return system.error();
-  const auto base = std::make_shared<const Design>(Design{model, std::move(system).value()});
-  Result<BriefSpace> space = make_brief_space(run->brief_, base);
+  Result<BriefSpace> space = make_brief_space(run->brief_, model);
   if (!space) return space.error();
-  Result<BriefGoals> goals = make_brief_goals(run->brief_, *base, space.value());
+  Result<BriefGoals> goals = make_brief_goals(run->brief_, space.value());
   if (!goals) return goals.error();
   run->goals_ = std::move(goals).value();
   if (const Status s = check_method(run->options_, run->goals_.goals); !s) return s.error();
