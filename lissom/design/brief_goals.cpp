@@ -325,6 +325,7 @@ Result<BriefGoals> make_brief_goals(const Brief& brief, const BriefSpace& space)
       equalities += made.goal.objective->size();
     }
     result.goals.push_back(std::move(made.goal));
+    result.nodes.push_back(std::move(made.nodes));
   }
   if (equalities > space.space->size()) {
     return Error{ErrorCode::kConflict, "/design/goals",
