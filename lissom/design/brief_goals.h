@@ -12,7 +12,7 @@
 namespace lissom {
 
 struct BriefGoals {
-  std::vector<Goal> goals;  ///< one for each of the brief, in its order
+  std::vector<Goal> goals;              ///< one for each of the brief, in its order
   std::vector<std::vector<int>> nodes;  ///< of goals for positions, in the order of their targets; else empty
   std::vector<ParameterGoal> wishes;
   std::vector<std::string> notes;  ///< sentences worth telling: goals that pull one node to two places

@@ -147,8 +147,8 @@ Result<Base> make_base(const Brief& brief, const Model& model) {
 
 /// "radii", as in documents.
 const char* word_of(const ParameterKindBrief& what) {
-  constexpr const char* kWords[] = {"radii", "rest shape", "lengths", "moduli", "fabrics", "natural shapes",
-                                      "loads", "plan"};
+  constexpr const char* kWords[] = {"radii",   "rest shape",     "lengths", "moduli",
+                                    "fabrics", "natural shapes", "loads",   "plan"};
   static_assert(std::size(kWords) == std::variant_size_v<ParameterKindBrief>);
   return kWords[what.index()];
 }
@@ -159,8 +159,7 @@ Result<SpacePtr> make_entry(const ParameterBrief& entry, const Base& made) {
   if (!space) return space;
   if (entry.mirror) {
     const MirrorBrief& mirror = *entry.mirror;
-    const double tolerance =
-        mirror.tolerance > 0 ? mirror.tolerance : kMirrorTolerance * base->system.structure.size;
+    const double tolerance = mirror.tolerance > 0 ? mirror.tolerance : kMirrorTolerance * base->system.structure.size;
     space = shared(mirrored(space.value(), mirror.normal, mirror.offset, tolerance));
     if (!space) return space;
   }

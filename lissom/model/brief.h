@@ -16,7 +16,7 @@ namespace lissom {
 
 /// Half-extents of the rods of a network at `controls` places of each, joints shared.
 struct RadiiBrief {
-  int controls = 4;         ///< 2, 3 or 4
+  int controls = 4;        ///< 2, 3 or 4
   Vec2 range{1e-3, 5e-3};  ///< m
 };
 
@@ -114,7 +114,7 @@ struct GoalValue {
 /// Where nodes should be.
 struct PositionsGoal {
   Selector at;
-  std::vector<Vec3> targets;  ///< m, one for each node, ascending; or one for every node of the structure
+  std::vector<Vec3> targets;    ///< m, one for each node, ascending; or one for every node of the structure
   std::vector<double> weights;  ///< of the targets; empty: equal
 };
 /// Mean place of a set of nodes.
@@ -186,9 +186,8 @@ struct WishesBrief {
 };
 
 /// Names of design/optimize_options.h, which a test compares.
-constexpr std::array<std::string_view, 6> kBriefMethods{"gauss_newton",     "bfgs",
-                                                        "structured_bfgs",  "dennis_gay_welsch",
-                                                        "levenberg_marquardt", "newton"};
+constexpr std::array<std::string_view, 6> kBriefMethods{
+    "gauss_newton", "bfgs", "structured_bfgs", "dennis_gay_welsch", "levenberg_marquardt", "newton"};
 
 /// How it is worked on.
 struct DesignSettings {

@@ -10,9 +10,8 @@ constexpr std::pair<std::string_view, ModulusBrief::Per> kPers[] = {{"material",
                                                                     {"rod", ModulusBrief::Per::kRod}};
 constexpr std::pair<std::string_view, Control> kControls[] = {{"line_search", Control::kLineSearch},
                                                               {"trust_region", Control::kTrustRegion}};
-constexpr std::pair<std::string_view, Freedom> kFreedoms[] = {{"each", Freedom::kEach},
-                                                              {"common_factor", Freedom::kCommonFactor},
-                                                              {"common_value", Freedom::kCommonValue}};
+constexpr std::pair<std::string_view, Freedom> kFreedoms[] = {
+    {"each", Freedom::kEach}, {"common_factor", Freedom::kCommonFactor}, {"common_value", Freedom::kCommonValue}};
 constexpr std::pair<std::string_view, PlanBrief::PreStretch> kAxes[] = {{"common", PlanBrief::PreStretch::kCommon},
                                                                         {"per_axis", PlanBrief::PreStretch::kPerAxis}};
 constexpr IntegerOf kPlaces{2, 4};
@@ -93,14 +92,16 @@ void describe(Fields& fields, ParameterEntry& p) {
       .field("length", p.length, ObjectOf<LengthBrief>{"lengths"}, kOptional, "Lengths of straight rods.")
       .field("youngs_modulus", p.modulus, ObjectOf<ModulusBrief>{"moduli"}, kOptional,
              "Young's moduli of rods; Poisson's ratios and densities stay.")
-      .field("fabric", p.fabric, ObjectOf<FabricBrief>{"fabric ranges"}, kOptional, "Moduli and pre-stretch of fabrics.")
+      .field("fabric", p.fabric, ObjectOf<FabricBrief>{"fabric ranges"}, kOptional,
+             "Moduli and pre-stretch of fabrics.")
       .field("natural", p.natural, ObjectOf<NaturalBrief>{"natural ranges"}, kOptional, "Natural shapes of rods.")
       .field("force", p.force, ObjectOf<ForceEntry>{"force ranges"}, kOptional, "A force of a pose.")
       .field("moment", p.moment, ObjectOf<MomentEntry>{"moment ranges"}, kOptional, "A moment of a pose.")
       .field("pin_target", p.pin_target, ObjectOf<PinEntry>{"pin target ranges"}, kOptional,
              "The target of a soft pin of a pose.")
       .field("move", p.move, ObjectOf<MoveEntry>{"move ranges"}, kOptional, "The movement of a support of a pose.")
-      .field("plan", p.plan, ObjectOf<PlanBrief>{"plan ranges"}, kOptional, "The plan and the pre-stretch of its fabric.")
+      .field("plan", p.plan, ObjectOf<PlanBrief>{"plan ranges"}, kOptional,
+             "The plan and the pre-stretch of its fabric.")
       .field("mirror", p.mirror, ObjectOf<MirrorBrief>{"mirror"}, kOptional,
              "A plane at whose sides these parameters agree.")
       .field("freedom", p.freedom, ChoiceOf<Freedom>{kFreedoms}, kOptional,
@@ -145,8 +146,7 @@ void describe(Fields& fields, FabricBrief& fabric) {
       .field("poisson_ratio", fabric.poisson_ratio, ratio, kOptional, "Bounds of Poisson's ratio.")
       .field("thickness", fabric.thickness, range_of(Measure::kLength), kOptional,
              "Bounds of the thickness, which acts on bending.")
-      .field("pre_stretch", fabric.pre_stretch, ratio, kOptional,
-             "Bounds along axis 1; the ratio of both axes stays.");
+      .field("pre_stretch", fabric.pre_stretch, ratio, kOptional, "Bounds along axis 1; the ratio of both axes stays.");
 }
 
 void describe(Fields& fields, NaturalBrief& natural) {
@@ -186,8 +186,7 @@ void describe(Fields& fields, WishesBrief& wishes) {
 void describe(Fields& fields, DesignSettings& settings) {
   const NumberOf share{Measure::kRatio, between(0, 1)};
   fields.field("method", settings.method, MethodOf(), kOptional, "How second derivatives are had.")
-      .field("control", settings.control, ChoiceOf<Control>{kControls}, kOptional,
-             "How steps are kept in hand.")
+      .field("control", settings.control, ChoiceOf<Control>{kControls}, kOptional, "How steps are kept in hand.")
       .field("iterations", settings.iterations, IntegerOf{1, 1'000'000}, kOptional, "At most.")
       .field("gradient_tolerance", settings.gradient_tolerance, share, kOptional,
              "Converged when no parameter promises more than this share of what the best one did at the start.")

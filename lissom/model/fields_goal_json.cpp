@@ -29,9 +29,7 @@ struct UnitTextOf {
     }
     value = quantity.value().value;
   }
-  JsonValue write(double value) const {
-    return JsonValue::string(fmt::format("{} {}", number_text(value), unit));
-  }
+  JsonValue write(double value) const { return JsonValue::string(fmt::format("{} {}", number_text(value), unit)); }
   JsonValue schema(Schema&) const {
     return any_of({type_schema("string"), JsonValue::object().set("const", JsonValue::integer(0))});
   }
@@ -257,8 +255,8 @@ void GoalBriefOf::read(Reader& reader, const JsonValue& json, GoalBrief& goal) c
                        "give for example \"positions\", \"reaction\" or \"mass\"");
   }
   if (given.size() > 1) {
-    return reader.fail(ErrorCode::kConflict,
-                       fmt::format("\"{}\" and \"{}\" are both given", given[0], given[1]), "make them two goals");
+    return reader.fail(ErrorCode::kConflict, fmt::format("\"{}\" and \"{}\" are both given", given[0], given[1]),
+                       "make them two goals");
   }
   goal.pose = entry.pose;
   goal.strength = entry.hard ? GoalStrength::kHard : GoalStrength::kSoft;

@@ -90,8 +90,8 @@ struct ParameterCheck {
       check.fail(ErrorCode::kRange, own + "/poisson_ratio", "Poisson's ratio of a fabric has to lie between -1 and 1",
                  "narrow the range");
     }
-    if (!fabric.stiffness && !fabric.stiffness_1 && !fabric.stiffness_2 && !fabric.poisson_ratio &&
-        !fabric.thickness && !fabric.pre_stretch) {
+    if (!fabric.stiffness && !fabric.stiffness_1 && !fabric.stiffness_2 && !fabric.poisson_ratio && !fabric.thickness &&
+        !fabric.pre_stretch) {
       nothing(own);
     }
   }
@@ -123,7 +123,8 @@ struct ParameterCheck {
                  fmt::format("there are {}, the first is number 0", count));
     }
     check_range(check, load.size, Sign::kAny, own + "/size");
-    for (int i = 0; i < 3; ++i) check_range(check, load.xyz[static_cast<std::size_t>(i)], Sign::kAny, own + "/" + "xyz"[i]);
+    for (int i = 0; i < 3; ++i)
+      check_range(check, load.xyz[static_cast<std::size_t>(i)], Sign::kAny, own + "/" + "xyz"[i]);
     const bool some = load.xyz[0] || load.xyz[1] || load.xyz[2];
     if (!load.size && !some) nothing(own);
     if (load.size && some) {

@@ -135,8 +135,8 @@ Status write_results(const DesignRun& run, const Document& document, const Optim
   whole["parameters"] = parameters_json(run);
   const std::string& name = document.name;
   // The document of the design stands for itself: it lies in another folder than the files that its base may name.
-  if (const Status s = output.write(name + "-designed.lissom",
-                                    write_document(run.problem().design().model, NetworkText::kRods));
+  if (const Status s =
+          output.write(name + "-designed.lissom", write_document(run.problem().design().model, NetworkText::kRods));
       !s)
     return s;
   if (const Status s = output.write(name + "-design.json", json_lines(whole)); !s) return s;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lissom/session/document_file.h"
-#include "lissom/session/json_numbers.h"
+#include "lissom/session/numbers_json.h"
 #include "lissom/session/layout_json.h"
 #include "lissom/session/optimizer_json.h"
 #include "lissom/session/state_json.h"
@@ -42,7 +42,8 @@ Result<DesignCheckpoint> read_checkpoint(const std::string& text, const std::str
   }
   JsonNumbers numbers(json, where);
   if (numbers.integer("lissom_design") != kVersion) {
-    return Error{ErrorCode::kUnsupported, where, "the checkpoint is of another version of lissom", "start the run anew"};
+    return Error{ErrorCode::kUnsupported, where, "the checkpoint is of another version of lissom",
+                 "start the run anew"};
   }
   if (numbers.text("fingerprint") != fingerprint) {
     return Error{ErrorCode::kConflict, where, "the checkpoint was made from another document or with other options",

@@ -13,8 +13,8 @@ OptimizeOptions options_of(const DesignSettings& settings) {
   for (const DesignMethodInfo& info : design_methods()) {
     if (info.name == settings.method) options.method = info.method;
   }
-  options.control = settings.control == DesignSettings::Control::kTrustRegion ? StepControl::kTrustRegion
-                                                                               : StepControl::kLineSearch;
+  options.control =
+      settings.control == DesignSettings::Control::kTrustRegion ? StepControl::kTrustRegion : StepControl::kLineSearch;
   options.max_iterations = settings.iterations;
   options.gradient_tolerance = settings.gradient_tolerance;
   options.decrease_tolerance = settings.decrease_tolerance;
@@ -35,6 +35,22 @@ Status check_method(const OptimizeOptions& options, const std::vector<Goal>& goa
 std::string in_unit_of_goal(double value, std::string_view unit) {
   if (unit == "m") return fmt::format("{:.4g} mm", 1e3 * value);
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::vector<double> largest_misses(const StructureProblem& problem) {
+  std::vector<double> largest;
+  const Design& design = problem.design();
+  for (const auto& pose : problem.poses()) {
+    pose->stand_at_point(design);
+    const Pose& described = design.model.poses[static_cast<std::size_t>(pose->pose())];
+    for (const Goal& goal : problem.goals()) {
+      if (goal.pose != pose->pose()) continue;
+      VecX c;
+      goal.objective->values({design, described, pose->problem(), pose->state()}, c);
+      largest.push_back(goal_residual(goal.kind, c - goal.target).cwiseAbs().maxCoeff());
+    }
+  }
+  return largest;
 }
 
 Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Context& context) {
@@ -60,8 +76,8 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   if (const Status s = check_method(run->options_, run->goals_.goals); !s) return s.error();
   StructureProblemOptions options;
   options.solve.tolerance = run->brief_.settings.solve_tolerance;
-  Result<std::unique_ptr<StructureProblem>> problem = StructureProblem::make(
-      space.value().space, run->goals_.goals, run->goals_.wishes, options, run->quiet_);
+  Result<std::unique_ptr<StructureProblem>> problem =
+      StructureProblem::make(space.value().space, run->goals_.goals, run->goals_.wishes, options, run->quiet_);
   if (!problem) return problem.error();
   run->problem_ = std::move(problem).value();
   context.report({.task = "design", .detail = "finding the shapes of the start"});
@@ -69,6 +85,7 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   run->first_ = run->problem_->design();
   run->first_point_ = run->problem_->point();
   run->first_measures_ = run->problem_->measures();
+  run->first_largest_ = largest_misses(*run->problem_);
   if (const Status s = run->begin(); !s) return s.error();
   return run;
 }
@@ -110,8 +127,7 @@ bool DesignRun::step() {
   const bool goes_on = plain_ ? plain_->step(quiet_) : constrained_->step(quiet_);
   if (state().records.size() > before) {
     const double past = history_.seconds.empty() ? 0 : history_.seconds.back();
-    history_.seconds.push_back(past +
-                               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    history_.seconds.push_back(past + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     std::vector<double>& rms = history_.rms.emplace_back();
     for (const GoalMeasure& measure : problem_->measures()) rms.push_back(measure.rms);
     context_.report({.task = "design", .iteration = state().iteration, .detail = progress()});
@@ -134,9 +150,7 @@ std::optional<DesignVerdict> DesignRun::verdict() const {
   return plain_ ? plain_->state().verdict : constrained_->state().verdict;
 }
 
-std::string DesignRun::message() const {
-  return plain_ ? plain_->state().message : constrained_->state().message;
-}
+std::string DesignRun::message() const { return plain_ ? plain_->state().message : constrained_->state().message; }
 
 double DesignRun::seconds_left() const {
   return plain_ ? plain_->seconds_left() : constrained_->descent().seconds_left();

@@ -18,8 +18,8 @@ namespace lissom {
 /// All that a run needs to go on as if it had not been stopped.
 struct DesignCheckpoint {
   DesignPoint point;
-  ConstrainedState descent;  ///< `inner` alone where no goal is hard
-  std::vector<double> seconds;            ///< since the start, after each iteration
+  ConstrainedState descent;              ///< `inner` alone where no goal is hard
+  std::vector<double> seconds;           ///< since the start, after each iteration
   std::vector<std::vector<double>> rms;  ///< of each goal, after each iteration, SI
 };
 
@@ -51,6 +51,7 @@ class DesignRun {
   const Design& first() const { return first_; }
   const DesignPoint& first_point() const { return first_point_; }
   const std::vector<GoalMeasure>& first_measures() const { return first_measures_; }
+  const std::vector<double>& first_largest() const { return first_largest_; }
   const DesignCheckpoint& history() const { return history_; }
   const OptimizeOptions& options() const { return options_; }
 
@@ -66,11 +67,15 @@ class DesignRun {
   Design first_;
   DesignPoint first_point_;
   std::vector<GoalMeasure> first_measures_;
+  std::vector<double> first_largest_;
   std::unique_ptr<StructureProblem> problem_;
-  std::optional<Optimizer> plain_;                 // without hard goals
+  std::optional<Optimizer> plain_;                  // without hard goals
   std::optional<AugmentedLagrangian> constrained_;  // with them
-  DesignCheckpoint history_;                       // `seconds` and `rms` only
+  DesignCheckpoint history_;                        // `seconds` and `rms` only
 };
+
+/// Largest component of what misses each goal, SI, in the order of StructureProblem::measures.
+std::vector<double> largest_misses(const StructureProblem& problem);
 
 /// Number in a unit that suits it: "0.123 mm".
 std::string in_unit_of_goal(double value, std::string_view unit);

@@ -46,14 +46,6 @@ VerdictWords words_of(DesignVerdict verdict) {
   return {Tone::kTrouble, "start from another design"};
 }
 
-/// Largest component of what misses a goal, SI.
-double largest(const Goal& goal, const Design& design, const PoseFollower& pose, const State& state) {
-  const PoseShape shape{design, design.model.poses[static_cast<std::size_t>(goal.pose)], pose.problem(), state};
-  VecX c;
-  goal.objective->values(shape, c);
-  return goal_residual(goal.kind, c - goal.target).cwiseAbs().maxCoeff();
-}
-
 /// Wanted places of the nodes of a pose; not numbers where there is none.
 std::vector<Vec3> wanted_places(const DesignRun& run, int pose) {
   std::vector<Vec3> wanted(run.first().system.structure.nodes.size(), Vec3::Constant(kNone));
@@ -97,9 +89,9 @@ void add_parameters(const DesignRun& run, DesignReport& report) {
     const double gradient = run.state().promise.size() == problem.size() ? run.state().promise[i] : 0;
     using Bound = DesignReport::Parameter::Bound;
     const Bound bound = value <= p.lower ? Bound::kLower : value >= p.upper ? Bound::kUpper : Bound::kFree;
-    report.parameters.push_back({p.name, p.name.substr(p.name.rfind(": ") == std::string::npos ? 0 : p.name.rfind(": ") + 2),
-                                 measure_of(si_unit(p.kind)), run.first_point().p[i], value, p.lower, p.upper, gradient,
-                                 bound});
+    report.parameters.push_back(
+        {p.name, p.name.substr(p.name.rfind(": ") == std::string::npos ? 0 : p.name.rfind(": ") + 2),
+         measure_of(si_unit(p.kind)), run.first_point().p[i], value, p.lower, p.upper, gradient, bound});
   }
 }
 
@@ -119,13 +111,18 @@ DesignReport report_of(const DesignRun& run) {
     if (info.method == run.options().method) report.method = fmt::format("{}: {}", info.name, info.meaning);
   }
   const Structure& structure = problem.design().system.structure;
-  report.size = {static_cast<int>(structure.rods.size()), static_cast<int>(structure.nodes.size()), 0,
-                 static_cast<int>(problem.poses().size()), problem.size(), static_cast<int>(run.goals().goals.size())};
+  report.size = {static_cast<int>(structure.rods.size()),
+                 static_cast<int>(structure.nodes.size()),
+                 0,
+                 static_cast<int>(problem.poses().size()),
+                 problem.size(),
+                 static_cast<int>(run.goals().goals.size())};
   report.seconds = run.history().seconds.empty() ? 0 : run.history().seconds.back();
   report.warnings = run.goals().notes;
   add_history(run, report);
   add_parameters(run, report);
   const std::vector<GoalMeasure> after = problem.measures();
+  const std::vector<double> largest = largest_misses(problem);
   for (std::size_t k = 0; k < problem.poses().size(); ++k) {
     const PoseFollower& pose = *problem.poses()[k];
     report.size.unknowns += pose.problem().supports.unknowns();
@@ -136,8 +133,7 @@ DesignReport report_of(const DesignRun& run) {
       if (goal.pose != pose.pose()) continue;
       const std::size_t g = report.goals.size();
       report.goals.push_back({goal.name, name, measure_of(goal.objective->unit()), run.first_measures()[g].rms,
-                              after[g].rms, largest(goal, run.first(), pose, run.first_point().states[k]),
-                              largest(goal, problem.design(), pose, pose.state())});
+                              after[g].rms, run.first_largest()[g], largest[g]});
     }
   }
   return report;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lissom/session/json_numbers.h"
+#include "lissom/session/numbers_json.h"
 
 namespace lissom {
 
@@ -107,7 +107,8 @@ class StateReader {
   OutcomeCounts counts(JsonNumbers& n, const char* key) {
     OutcomeCounts counts;
     const VecX values = n.vector(key);
-    if (n.status() && values.size() != static_cast<Eigen::Index>(counts.counts.size())) n.fail(key, "a count per outcome");
+    if (n.status() && values.size() != static_cast<Eigen::Index>(counts.counts.size()))
+      n.fail(key, "a count per outcome");
     if (!n.status()) return counts;
     for (std::size_t i = 0; i < counts.counts.size(); ++i) {
       counts.counts[i] = static_cast<int>(values[static_cast<Eigen::Index>(i)]);
@@ -152,7 +153,8 @@ class StateReader {
     const VecX values = n.vector("second");
     memory.has_step = n.flag("has_step");
     memory.resets = n.integer("resets");
-    if (n.status() && (size < 0 || values.size() != static_cast<Eigen::Index>(size) * size)) n.fail("second", "a matrix");
+    if (n.status() && (size < 0 || values.size() != static_cast<Eigen::Index>(size) * size))
+      n.fail("second", "a matrix");
     if (n.status()) memory.second = Eigen::Map<const MatX>(values.data(), size, size);
     take(n);
     return memory;

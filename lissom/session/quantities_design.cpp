@@ -83,8 +83,8 @@ Result<double> design_sensitivity(const Measurement& m) {
   }
   pose.stand_at_point(design.value());
   const DesignJacobian jacobian = space.jacobian(design.value(), p);
-  const Result<Sensitivity> sensitivity = Sensitivity::make(design.value().model, m.pose(), pose.problem(),
-                                                            pose.state(), pose.factor(), jacobian);
+  const Result<Sensitivity> sensitivity =
+      Sensitivity::make(design.value().model, m.pose(), pose.problem(), pose.state(), pose.factor(), jacobian);
   if (!sensitivity) return sensitivity.error();
   const VecX moves = sensitivity.value().forward(VecX::Unit(space.size(), number.value()));
   return m.expectation.axis->dot(moves.segment<3>(3 * node.value()));

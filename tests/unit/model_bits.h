@@ -51,7 +51,9 @@ class ModelBits {
   }
   void add(const SectionProfile& x) { add_all(x.shape, x.r_n, x.r_b, x.wall); }
   void add(const MaterialAxes& x) { add_all(x.kind, x.normal, x.normals); }
-  void add(const Natural& x) { add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.length_factor, x.curve, x.axes); }
+  void add(const Natural& x) {
+    add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.length_factor, x.curve, x.axes);
+  }
   void add(const Rod& x) { add_all(x.name, x.curve, x.material, x.section, x.axes, x.natural, x.edges, x.edge_length); }
   void add(const NetworkFile& x) {
     add_all(x.name, x.file, x.unit, x.rods, x.chain_angle, x.edges_per_piece, x.rod_count, x.notes);
@@ -134,18 +136,16 @@ class ModelBits {
     add_all(x.method, x.control, x.iterations, x.gradient_tolerance, x.decrease_tolerance, x.constraint_tolerance,
             x.solve_tolerance);
   }
-  void add(const Brief& x) {
-    add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.settings);
-  }
+  void add(const Brief& x) { add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.settings); }
   void add(const Expectation& x) {
-    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.parameter, x.fraction, x.mode,
-            x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
+    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.parameter, x.fraction,
+            x.mode, x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
             x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
     add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.fabric_tests,
-            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions,
-            x.design, x.expectations);
+            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.design,
+            x.expectations);
   }
   template <class... T>
   void add_all(const T&... x) {

@@ -66,7 +66,8 @@ class JsonNumbers {
   }
   void fail(const char* key, const std::string& expected) {
     if (!status_) return;
-    status_ = Error{ErrorCode::kType, where_ + "/" + key, expected + " is expected here", "was the file edited or cut off?"};
+    status_ =
+        Error{ErrorCode::kType, where_ + "/" + key, expected + " is expected here", "was the file edited or cut off?"};
   }
 
  private:
