@@ -15,8 +15,8 @@ constexpr double kEdge = 0.2 / 9.5;  // m, of a hexagon: the sheet is 0.2 m long
 constexpr int kEdges = 10;           // of a rod
 constexpr double kRadius = 2e-3;     // m, to start with
 constexpr double kMargin = 0.55;     // of a hexagon's edge: how far a side that is held reaches in
-constexpr double kBending = 0.10;    // N, weights in all
-constexpr double kPull = 3.0;        // N, in all
+constexpr double kWeight = 0.1;      // N, in all, at the far side
+constexpr double kPull = 10;         // N, in all
 
 /// Nodes within the margin of the side at the end of `axis` on which `sign` is.
 std::vector<Vec3> side_nodes(const Model& model, int axis, double sign) {
@@ -80,11 +80,11 @@ Model with_radii(const Model& model, const RadiiField& field) {
 Model sheet_to_design(double stiffness) {
   Model model = sheet("Sheet", hexagons(kEdge, 3, 6), kRadius, "TPU 92A", kEdges);
   model.joint_kind = JointKind::kCorotational;
-  const Vec3 down = -kBending * Vec3::UnitZ();
+  const Vec3 down = -kWeight * Vec3::UnitZ();
   model.poses = {side_pose(model, "bent lengthwise", 1, down, stiffness),
-                 side_pose(model, "bent crosswise", 0, 3 * down, stiffness),
+                 side_pose(model, "bent crosswise", 0, down, stiffness),
                  side_pose(model, "pulled lengthwise", 1, kPull * Vec3::UnitY(), stiffness),
-                 side_pose(model, "pulled crosswise", 0, kPull * Vec3::UnitX(), stiffness)};
+                 side_pose(model, "pulled crosswise", 0, 3 * kPull * Vec3::UnitX(), stiffness)};
   return model;
 }
 
@@ -95,8 +95,8 @@ std::vector<RadiiField> sheet_targets() {
       return Vec2(r_n * f, r_b * f);
     };
   };
-  return {graded(3.2e-3, 2e-3, 0.15, 1), graded(1.4e-3, 2e-3, -0.15, 0), graded(2e-3, 1.5e-3, 0.2, 1),
-          graded(2e-3, 3e-3, 0.2, 0)};
+  return {graded(4.2e-3, 2.5e-3, 0.1, 1), graded(1.2e-3, 1.5e-3, -0.1, 0), graded(1.6e-3, 1.2e-3, 0.1, 1),
+          graded(2e-3, 4e-3, 0.1, 0)};
 }
 
 }  // namespace lissom::scene_models

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_jacobian.h"
 #include "lissom/mechanics/rest_numbers.h"
 #include "lissom/mechanics/third_derivative.h"
@@ -109,16 +110,19 @@ VecX PoseLinearization::hessian_times(const VecX& v, ThreadPool* threads) const 
   const bool holds = sensitivity_.held().cols() > 0;
   if (holds) result += sensitivity_.held().transpose() * (l_q + sensitivity_.hessian_times(change));
 
-  // How numbers follow the parameters to second order.
+  // How numbers and held places follow the parameters to second order.
+  if (point_.jacobian.inputs.cols() == 0) return result;
   const VecX by_numbers = h_n + sensitivity_.gradient_by_numbers().transpose() * local_multiplier;
   const VecX by_rest = by_numbers.head(rests);
   result += point_.jacobian.inputs.transpose() *
             rest_curvature(design.model, design.system, by_rest, point_.jacobian.inputs * v);
   VecX by_inputs = rest_jacobian(design.model, design.system).transpose() * by_rest;
+  const int places = 3 * design.system.layout.nodes();
+  const LoadNumbers loads(point_.shape().pose, design.system.structure);
+  if (loads.has_drawn_targets()) by_inputs.head(places) += by_numbers.tail(places);
   if (holds) {
     const VecX by_held = local_h_q + sensitivity_.hessian_times(local_multiplier);
-    by_inputs.head(3 * design.system.layout.nodes()) +=
-        point_.problem.supports.held_by_places(design.system).transpose() * by_held;
+    by_inputs.head(places) += point_.problem.supports.held_by_places(design.system).transpose() * by_held;
   }
   return result + point_.space.curvature(design, point_.p, by_inputs, v);
 }

@@ -1,10 +1,12 @@
 #include "lissom/design/sensitivity.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lissom/core/assert.h"
 #include "lissom/core/sparse_pattern.h"
 #include "lissom/mechanics/gradient_by_rest.h"
+#include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_jacobian.h"
 
 namespace lissom {
@@ -24,21 +26,21 @@ Status check_supports(const Pose& pose) {
   return {};
 }
 
-/// One matrix above the other; `below` may have no columns.
-SparseMatrix stacked(const SparseMatrix& above, const SparseMatrix& below) {
-  if (below.cols() == 0) return above;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const SparseMatrix* part : {&above, &below}) {
-    const Eigen::Index first = part == &below ? above.rows() : 0;
-    for (int c = 0; c < part->outerSize(); ++c) {
-      for (SparseMatrix::InnerIterator it(*part, c); it; ++it) {
-        entries.emplace_back(static_cast<int>(first + it.row()), static_cast<int>(it.col()), it.value());
-      }
+int columns_of(const DesignJacobian& jacobian, const PoseJacobian& own) {
+  Eigen::Index m = 0;
+  for (const SparseMatrix* part : {&jacobian.inputs, &jacobian.numbers, &own.loads, &own.held}) {
+    LISSOM_ASSERT(m == 0 || part->cols() == 0 || part->cols() == m);
+    m = std::max(m, part->cols());
+  }
+  return static_cast<int>(m);
+}
+
+void append(const SparseMatrix& part, Eigen::Index first, std::vector<Eigen::Triplet<double>>& entries) {
+  for (int c = 0; c < part.outerSize(); ++c) {
+    for (SparseMatrix::InnerIterator it(part, c); it; ++it) {
+      entries.emplace_back(static_cast<int>(first + it.row()), static_cast<int>(it.col()), it.value());
     }
   }
-  SparseMatrix all(above.rows() + below.rows(), above.cols());
-  all.setFromTriplets(entries.begin(), entries.end());
-  return all;
 }
 
 /// The Hessian as a sparse matrix, columns of held unknowns alone.
@@ -79,31 +81,39 @@ Result<Sensitivity> Sensitivity::make(const Model& model, int pose, const Static
 Result<Sensitivity> Sensitivity::make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                       const State& equilibrium, const LinearSolver& factor,
                                       const DesignJacobian& jacobian, const PoseJacobian& own) {
-  if (Status s = check_supports(pose); !s) return s.error();
   const System& system = *problem.system;
   LISSOM_ASSERT(factor.unknowns() == problem.supports.unknowns());
+  const int unknowns = system.layout.size(), places = 3 * system.layout.nodes(), m = columns_of(jacobian, own);
+  SparseMatrix drawn(places, m);
+  if (jacobian.inputs.cols() > 0) drawn = jacobian.inputs.topRows(places);
+  if (drawn.nonZeros() > 0) {
+    if (Status s = check_supports(pose); !s) return s.error();
+  }
   Sensitivity result;
   result.problem_ = &problem;
   result.factor_ = &factor;
-  const int m = static_cast<int>(jacobian.inputs.cols());
-  SparseMatrix numbers = rest_jacobian(model, system) * jacobian.inputs;
-  if (jacobian.numbers.cols() > 0) numbers += jacobian.numbers;
-  result.numbers_ = stacked(numbers, own.loads);
-  result.by_numbers_ = gradient_by_rest(problem.potential, equilibrium, static_cast<int>(result.numbers_.rows()));
+  const RestNumbers rest(system.structure);
+  const LoadNumbers loads(pose, system.structure);
+  std::vector<Eigen::Triplet<double>> entries;
+  if (jacobian.inputs.cols() > 0) append(rest_jacobian(model, system) * jacobian.inputs, 0, entries);
+  append(jacobian.numbers, 0, entries);
+  append(own.loads, rest.size(), entries);
+  if (loads.has_drawn_targets()) append(drawn, rest.size() + loads.size() - places, entries);
+  result.numbers_.resize(rest.size() + loads.size(), m);
+  result.numbers_.setFromTriplets(entries.begin(), entries.end());
+  result.by_numbers_ = gradient_by_rest(problem.potential, equilibrium, rest.size() + loads.size());
   result.forces_ = result.by_numbers_ * result.numbers_;
 
   VecX gradient;
   AssemblyBuffers buffers;
   problem.potential.hessian(equilibrium, gradient, result.hessian_, buffers);
-  const SparseMatrix places = problem.supports.held_by_places(system);
-  if (places.nonZeros() > 0) {
-    result.held_ = places * SparseMatrix(jacobian.inputs.topRows(3 * system.layout.nodes()));
+  SparseMatrix held(unknowns, m);
+  if (drawn.nonZeros() > 0) held = problem.supports.held_by_places(system) * drawn;
+  if (own.held.cols() > 0) held += equilibrium.load_factor * own.held;
+  if (held.nonZeros() > 0) {
+    result.forces_ += held_columns(problem, result.hessian_) * held;
+    result.held_ = std::move(held);
   }
-  if (own.held.cols() > 0) {
-    if (result.held_.cols() == 0) result.held_.resize(system.layout.size(), m);
-    result.held_ += equilibrium.load_factor * own.held;
-  }
-  if (result.held_.cols() > 0) result.forces_ += held_columns(problem, result.hessian_) * result.held_;
   return result;
 }
 

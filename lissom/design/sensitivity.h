@@ -1,6 +1,7 @@
 #pragma once
 /// How an equilibrium answers to a change of its design, to first order: with S = dq/dp, products S v and S' w by one back
-/// solve each, and S itself where it is small enough [mathematics 5.1].
+/// solve each, and S itself where it is small enough [mathematics 5.1]. Parameters act through rest inputs, rest numbers,
+/// loads and what is held; soft pins without a target follow the drawing.
 
 #include "lissom/core/linear_solver.h"
 #include "lissom/core/result.h"
@@ -30,7 +31,7 @@ class Sensitivity {
   /// S, (unknowns x m), global axes.
   MatX dense() const;
 
-  /// d rest numbers / d p, followed by d load numbers / d p where these have any, (numbers x m).
+  /// d rest numbers / d p, followed by d load numbers / d p, (RestNumbers::size + LoadNumbers::size x m).
   const SparseMatrix& numbers() const { return numbers_; }
   /// d gradient / d numbers at fixed unknowns, (unknowns x numbers), rows in local axes.
   const SparseMatrix& gradient_by_numbers() const { return by_numbers_; }

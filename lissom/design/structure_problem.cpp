@@ -198,6 +198,7 @@ DesignPoint StructureProblem::point() const {
 std::vector<GoalMeasure> StructureProblem::measures() const {
   std::vector<GoalMeasure> measures;
   for (std::size_t k = 0; k < poses_.size(); ++k) {
+    poses_[k]->stand_at_point(design_);  // an attempt may have left its numbers
     for (const int g : by_pose_[k]) {
       const Goal& goal = goals_[static_cast<std::size_t>(g)];
       const VecX r = goal_residual(goal, shape_of(design_, static_cast<int>(k), poses_[k]->state()));
@@ -265,6 +266,7 @@ VecX StructureProblem::constraint_values() const {
   VecX values(constraints_);
   int at = 0;
   for (std::size_t k = 0; k < poses_.size(); ++k) {
+    poses_[k]->stand_at_point(design_);  // an attempt may have left its numbers
     for (const int g : by_pose_[k]) {
       const Goal& goal = goals_[static_cast<std::size_t>(g)];
       if (goal.force != GoalForce::kHard) continue;

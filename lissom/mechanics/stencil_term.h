@@ -147,8 +147,22 @@ class StencilTerm final : public EnergyTerm {
         for (int i = 0; i < E::kDofs; ++i) block[j * E::kDofs + i] = gradient[i].g[j];
       }
     } else {
-      const StencilDerivatives all = automatic(state, VecX::Zero(state.q.size()), index);
-      Eigen::Map<MatX>(block, E::kDofs, E::kRest) = all.mixed;
+      // Two unknowns at a time are the directions of a sweep back: large duals cost a hundred times as much.
+      constexpr std::array<double, E::kRest> kNothing{};
+      Tape tape;
+      for (int i = 0; i < E::kDofs; i += 2) {
+        std::array<double, E::kDofs> one{}, next{};
+        const bool both = i + 1 < E::kDofs;
+        one[i] = 1;
+        if (both) next[i + 1] = 1;
+        trace(state, index, {one.data(), next.data(), kNothing.data()}, tape, [&](const auto&, const auto& rest) {
+          for (int j = 0; j < E::kRest; ++j) {
+            const HyperDual& by = tape.by(rest[j]);
+            block[j * E::kDofs + i] = by.d1;
+            if (both) block[j * E::kDofs + i + 1] = by.d2;
+          }
+        });
+      }
     }
   }
 
