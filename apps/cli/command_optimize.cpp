@@ -55,7 +55,10 @@ int optimize(const Arguments& arguments) {
   Run run(arguments.run);
   const Result<OptimizedDesign> design = optimize_command(document.value(), command, run.context());
   run.clear_line();
-  if (!design) return report(design.error(), arguments.file);
+  if (!design) {
+    const int code = report(design.error(), arguments.file);
+    return run.context().cancelled() ? exit_code(DesignVerdict::kCancelled) : code;
+  }
   if (arguments.json) {
     print(design.value().summary + "\n");
   } else {

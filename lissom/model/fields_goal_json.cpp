@@ -158,8 +158,8 @@ struct PositionsOf {
   void read(Reader& reader, const JsonValue& json, PositionsGoal& goal) const {
     PositionsEntry entry;
     object().read(reader, json, entry);
-    if (reader.failed() ||
-        !exactly_one(reader, {{"targets", !entry.targets.empty()}, {"file", entry.file.has_value()}}, "where to")) {
+    if (reader.failed() || !exactly_one(reader, {{"targets", !entry.targets.empty()}, {"file", entry.file.has_value()}},
+                                        "the place of the nodes")) {
       return;
     }
     if (entry.file && !entry.unit) {

@@ -121,7 +121,7 @@ Json result_json(const DesignRun& run, const OptimizedDesign& design, const Docu
   json["message"] = design.message;
   json["iterations"] = design.iterations;
   json["objective"] = run.problem().value();
-  json["method"] = model.design->settings.method;
+  json["method"] = design_method_name(run.options().method);
   json["goals"] = goals_json(design, goals_by_pose(run), model);
   json["effort"] = effort_json(run.state().effort);
   json["notes"] = design.notes;
@@ -132,13 +132,13 @@ Status write_results(const DesignRun& run, const Document& document, const Optim
                      OptimizedDesign& design, Output& output) {
   Json result = result_json(run, design, document);
   Json whole = result;
+  whole.erase("effort");  // work that was done again after a stop counts there
   whole["parameters"] = parameters_json(run);
   const std::string& name = document.name;
-  // The document of the design stands for itself: it lies in another folder than the files that its base may name.
-  if (const Status s =
-          output.write(name + "-designed.lissom", write_document(run.problem().design().model, NetworkText::kRods));
-      !s)
-    return s;
+  Model found = run.problem().design().model;
+  found.design->settings = document.model.design->settings;
+  // It stands for itself, as it lies in another folder than the files that its base may name.
+  if (const Status s = output.write(name + "-designed.lissom", write_document(found, NetworkText::kRods)); !s) return s;
   if (const Status s = output.write(name + "-design.json", json_lines(whole)); !s) return s;
   DesignReport report = report_of(run);
   report.title = document.model.title.empty() ? name : document.model.title;
