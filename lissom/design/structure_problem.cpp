@@ -198,6 +198,7 @@ DesignPoint StructureProblem::point() const {
 std::vector<GoalMeasure> StructureProblem::measures() const {
   std::vector<GoalMeasure> measures;
   for (std::size_t k = 0; k < poses_.size(); ++k) {
+    poses_[k]->stand_at_point(design_);  // an attempt may have left its numbers
     for (const int g : by_pose_[k]) {
       const Goal& goal = goals_[static_cast<std::size_t>(g)];
       const VecX r = goal_residual(goal, shape_of(design_, static_cast<int>(k), poses_[k]->state()));
@@ -248,10 +249,24 @@ void StructureProblem::accept() {
   settle_point();
 }
 
+bool StructureProblem::is_inequality(int i) const {
+  for (const std::vector<int>& goals : by_pose_) {
+    for (const int g : goals) {
+      const Goal& goal = goals_[static_cast<std::size_t>(g)];
+      if (goal.force != GoalForce::kHard) continue;
+      if (i < goal.objective->size()) return goal.kind != GoalKind::kReach;
+      i -= goal.objective->size();
+    }
+  }
+  LISSOM_ASSERT(false);
+  return false;
+}
+
 VecX StructureProblem::constraint_values() const {
   VecX values(constraints_);
   int at = 0;
   for (std::size_t k = 0; k < poses_.size(); ++k) {
+    poses_[k]->stand_at_point(design_);  // an attempt may have left its numbers
     for (const int g : by_pose_[k]) {
       const Goal& goal = goals_[static_cast<std::size_t>(g)];
       if (goal.force != GoalForce::kHard) continue;

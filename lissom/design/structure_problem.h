@@ -71,6 +71,7 @@ class StructureProblem final : public ReducedProblem {
   const VecX& attempted_residual() const override { return attempted_residual_; }
   void accept() override;
   int constraints() const override { return constraints_; }
+  bool is_inequality(int i) const override;
   VecX constraint_values() const override;
   void set_multipliers(const VecX& multipliers, double penalty) override;
   DesignEffort effort() const override;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lissom/core/result.h"
+#include "lissom/model/brief.h"
 #include "lissom/model/curve.h"
 #include "lissom/model/expectation.h"
 #include "lissom/model/fabric_test.h"
@@ -103,6 +104,7 @@ struct Model {
   std::vector<NamedSet> sets;
   std::vector<Pose> poses;
   std::vector<MotionCase> motions;
+  std::optional<Brief> design;  ///< what `lissom optimize` may change, and to which end
   std::vector<Expectation> expectations;
 
   const Material* material(std::string_view name) const;  ///< own first, then the library; null when unknown
