@@ -24,7 +24,7 @@ std::string report_value(double value, const DesignReport::Measure& measure) {
 }
 
 std::string report_quantity(double value, const DesignReport::Measure& measure) {
-  const std::string number = report_value(value, measure);
+  std::string number = report_value(value, measure);
   if (!std::isfinite(value) || measure.unit.empty()) return number;
   return number + kThin + xml_escaped(measure.unit);
 }

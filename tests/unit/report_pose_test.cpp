@@ -4,20 +4,14 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "scenes/scenes.h"
+#include "scenes/scene_models.h"
 
 namespace lissom {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-System system_of(std::string_view scene) {
-  for (const Scene& s : scenes()) {
-    if (s.name == scene) return make_system(s.make()).value();
-  }
-  ADD_FAILURE() << "no scene " << scene;
-  std::abort();
-}
+System hexagons() { return make_system(scene_models::hexagon_sheet()).value(); }
 
 /// All nodes of the hexagon sheet where they are drawn, moved by `shift`.
 std::vector<Vec3> drawn(const System& system, const Vec3& shift) {
@@ -29,7 +23,7 @@ std::vector<Vec3> drawn(const System& system, const Vec3& shift) {
 size_t edges(const Drawing& drawing) { return static_cast<size_t>(drawing.edge_count()); }
 
 TEST(ReportPose, DeviationIsTheDistanceFromTheTarget) {
-  const System system = system_of("hexagon_sheet");
+  const System system = hexagons();
   const State state = drawn_state(system);
   const std::vector<Vec3> wanted = drawn(system, {0, 0.003, 0.004});
   const DesignReport::Pose pose = report_pose("hung", system, state, system, state, wanted);
@@ -45,7 +39,7 @@ TEST(ReportPose, DeviationIsTheDistanceFromTheTarget) {
 }
 
 TEST(ReportPose, OnlyPiecesWithTargetsAtBothEndsAreDrawnAndLonelyTargetsAreDots) {
-  const System system = system_of("hexagon_sheet");
+  const System system = hexagons();
   const State state = drawn_state(system);
   std::vector<Vec3> wanted(system.structure.nodes.size(), Vec3::Constant(kNone));
   const StructureRod& rod = system.structure.rods[0];
@@ -65,7 +59,7 @@ TEST(ReportPose, OnlyPiecesWithTargetsAtBothEndsAreDrawnAndLonelyTargetsAreDots)
 }
 
 TEST(ReportPose, WithoutTargetsThereIsNoDeviation) {
-  const System system = system_of("hexagon_sheet");
+  const System system = hexagons();
   const State state = drawn_state(system);
   const std::vector<Vec3> wanted(system.structure.nodes.size(), Vec3::Constant(kNone));
   const DesignReport::Pose pose = report_pose("p", system, state, system, state, wanted);
