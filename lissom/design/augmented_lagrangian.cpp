@@ -9,6 +9,9 @@ namespace lissom {
 
 namespace {
 
+constexpr double kFirstFall = 0.1;   // of the violation at the start, after the first round
+constexpr double kLeastFirst = 0.1;  // of its scale: a start that meets the constraints is taken to miss them by this
+constexpr double kPrecision = 1e-6;  // of the violation at the start
 constexpr int kStuckRounds = 4;      // with hardly any fall of the violation: it will not fall
 constexpr double kHardlyFell = 0.9;  // share of the violation before
 constexpr double kFirstPrecision = 1e-2, kMorePrecision = 0.1,
@@ -100,6 +103,8 @@ Result<AugmentedLagrangian> AugmentedLagrangian::begin(ReducedProblem& problem, 
   state.multipliers = VecX::Zero(problem.constraints());
   state.penalty = constraints.first_penalty > 0 ? constraints.first_penalty : first_penalty(problem);
   problem.set_multipliers(state.multipliers, state.penalty);
+  const VecX gaps = constraint_gaps(problem, state.multipliers, state.penalty);
+  state.first_violation = gaps.size() > 0 ? std::max(gaps.cwiseAbs().maxCoeff(), kLeastFirst) : kLeastFirst;
   Optimizer inner(problem, of_round(options, 0));
   return AugmentedLagrangian(problem, options, constraints, std::move(state), std::move(inner));
 }
@@ -177,21 +182,24 @@ void AugmentedLagrangian::end_round(DesignVerdict descent) {
   }
   const std::string left =
       worst < 0 ? "" : "; constraint " + std::to_string(worst) + " is off by " + number(gaps[worst]) + " of its scale";
-  if (state_.stuck >= kStuckRounds) {
-    std::string message = std::string(design_verdict_info(DesignVerdict::kInfeasible).sentence) + left;
+  // What is small beside the violation at the start is a matter of precision, not of constraints that contradict each other.
+  const bool small = state_.violation <= kPrecision * state_.first_violation;
+  const bool stuck = state_.stuck >= kStuckRounds;
+  if (stuck || state_.round + 1 >= constraints_.max_rounds) {
+    const DesignVerdict verdict = stuck && !small ? DesignVerdict::kInfeasible : DesignVerdict::kConstraintLimit;
+    std::string message = std::string(design_verdict_info(verdict).sentence) + left;
     if (descent != DesignVerdict::kConverged) message += "; in the last round " + inner_.state().message;
-    return end(DesignVerdict::kInfeasible, message);
-  }
-  if (state_.round + 1 >= constraints_.max_rounds) {
-    return end(DesignVerdict::kConstraintLimit,
-               std::string(design_verdict_info(DesignVerdict::kConstraintLimit).sentence) + left);
+    return end(verdict, message);
   }
   // The multipliers under which the point is stationary without any penalty.
   for (int i = 0; i < gaps.size(); ++i) {
     state_.multipliers[i] += state_.penalty * gaps[i];
     if (problem_->is_inequality(i)) state_.multipliers[i] = std::max(state_.multipliers[i], 0.0);
   }
-  if (state_.violation > constraints_.tolerance && before >= 0 &&
+  // Descents of early rounds are rough, and what they leave of a violation is no reason for more penalty while it falls as
+  // their precision rises.
+  const double rough = kFirstFall * std::pow(kMorePrecision, state_.round) * state_.first_violation;
+  if (state_.violation > constraints_.tolerance && state_.violation > rough && before >= 0 &&
       state_.violation > constraints_.enough_fall * before) {
     state_.penalty *= constraints_.penalty_growth;
   }

@@ -20,7 +20,8 @@ struct ConstraintOptions {
 struct ConstrainedState {
   VecX multipliers;  ///< (constraints), unit of h
   double penalty = 0;
-  double violation = -1;  ///< after the last round, with slack that multipliers deny; below 0: no round yet
+  double first_violation = 0;  ///< at the start, at least a tenth of the scale
+  double violation = -1;       ///< after the last round, with slack that multipliers deny; below 0: no round yet
   int round = 0;
   int round_began = -1;  ///< iteration of the descent at which this round began; below 0: the first round
   int stuck = 0;         ///< rounds in a row whose violation hardly fell

@@ -19,7 +19,7 @@ constexpr std::array<DesignVerdictInfo, 10> kVerdicts = {{
     {DesignVerdict::kNoEquilibrium, "no_equilibrium", "every step that is left ends without a stable shape"},
     {DesignVerdict::kIterationLimit, "iteration_limit", "out of iterations; the best design so far was kept"},
     {DesignVerdict::kInfeasible, "infeasible", "the hard constraints cannot be met with these parameters"},
-    {DesignVerdict::kConstraintLimit, "constraint_limit", "out of rounds; the hard constraints are not met yet"},
+    {DesignVerdict::kConstraintLimit, "constraint_limit", "the hard constraints are not met as precisely as was asked"},
     {DesignVerdict::kBadStart, "bad_start", "the start design has no finite value or gradient"},
 }};
 

@@ -23,7 +23,7 @@ enum class DesignVerdict {
   kNoEquilibrium,    ///< every step that is left ends without a stable equilibrium
   kIterationLimit,   ///< may be continued with more
   kInfeasible,       ///< hard constraints that cannot be met
-  kConstraintLimit,  ///< hard constraints not met yet when the rounds ran out
+  kConstraintLimit,  ///< hard constraints not met as precisely as asked, or not yet when the rounds ran out
   kBadStart,         ///< value or gradient of the start are not finite
 };
 

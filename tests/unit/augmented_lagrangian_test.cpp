@@ -64,7 +64,8 @@ TEST(AugmentedLagrangian, MeetsCurvedConstraints) {
     for (const OptimizeOptions& options : all_methods(2000)) {
       AnalyticProblem problem = near(Vec2(2, 1));
       problem.set_constraints(circle(), {inequality});
-      const VecX x = solve(problem, options, kSharp, DesignVerdict::kConverged);
+      const ConstraintOptions constraints{.tolerance = 0.01 * reached(options)};
+      const VecX x = solve(problem, options, constraints, DesignVerdict::kConverged);
       EXPECT_LT((x - solution).cwiseAbs().maxCoeff(), reached(options)) << design_method_name(options.method);
     }
   }
@@ -105,6 +106,15 @@ TEST(AugmentedLagrangian, SaysWhatCannotBeMet) {
     solve(too_far, options, {}, DesignVerdict::kInfeasible, &end);
     EXPECT_NEAR(end.violation, 0.5, 1e-6);
   }
+}
+
+TEST(AugmentedLagrangian, DoesNotCallImpossibleWhatIsOnlyImprecise) {
+  AnalyticProblem problem = near(Vec2(2, 1));
+  problem.set_constraints(circle(), {false});
+  OptimizeOptions options = all_methods(2000)[0];
+  ConstrainedState end;
+  solve(problem, options, {.tolerance = 1e-300}, DesignVerdict::kConstraintLimit, &end);
+  EXPECT_LT(end.violation, 1e-7);
 }
 
 TEST(AugmentedLagrangian, RefusesMoreEqualitiesThanParameters) {

@@ -22,7 +22,7 @@ TEST(OptimizerEndings, ValuesThatAreNoNumbersAreFailures) {
     EXPECT_LT((c.problem.x() - c.solution).cwiseAbs().maxCoeff(), 1e-8) << name_of(options);
     for (const DesignRecord& r : optimizer.state().records) spoilt += r.attempts[Outcome::kUnsettled];
   }
-  EXPECT_GT(spoilt, 10);
+  EXPECT_GE(spoilt, 5);
 }
 
 TEST(OptimizerEndings, SaysWhyNothingIsLeftToTry) {
