@@ -13,7 +13,7 @@ ParameterGoal make_closeness(std::span<const Parameter> parameters, VecX start, 
   LISSOM_ASSERT(start.size() == m);
   SparseMatrix rows(m, m);
   for (int i = 0; i < m; ++i) rows.insert(i, i) = 1 / (parameters[i].scale * std::sqrt(m));
-  return {"closeness to the start", std::move(rows), std::move(start), weight};
+  return {"closeness to the start", rows, std::move(start), weight};
 }
 
 ParameterGoal make_smoothness(std::span<const Parameter> parameters, std::span<const std::array<int, 2>> neighbours,
@@ -40,7 +40,7 @@ ParameterGoal make_smoothness(std::span<const Parameter> parameters, std::span<c
   }
   SparseMatrix rows(size, m);
   rows.setFromTriplets(entries.begin(), entries.end());
-  return {"smooth parameters", std::move(rows), VecX::Zero(m), weight};
+  return {"smooth parameters", rows, VecX::Zero(m), weight};
 }
 
 std::vector<std::array<int, 2>> neighbours_along_rods(const RodControls& controls, const Structure& structure,
