@@ -3,7 +3,7 @@
 /// solve each, and S itself where it is small enough [mathematics 5.1]. Parameters act through rest inputs, rest numbers,
 /// loads and what is held; soft pins without a target follow the drawing.
 
-#include <span>
+#include <vector>
 
 #include "lissom/core/context.h"
 #include "lissom/core/linear_solver.h"
@@ -38,6 +38,12 @@ class Sensitivity {
   const MatX& gradient_by_parameters() const { return by_parameters_; }
 
  private:
+  /// x with (H + N) x = b over free unknowns, or (H + N)' x = b. N: what turning a joint does to the gradient of all else
+  /// there that the symmetric H leaves out, where moments with fixed axes act [docs/energies/loads.md].
+  enum class Side { kForward, kTransposed };
+  void solve(VecX& x, Side side) const;
+  void set_moments(const Pose& pose, const State& equilibrium);
+
   static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                   const State& equilibrium, const LinearSolver& factor, const DesignJacobian& jacobian,
                                   const PoseJacobian& own);
@@ -45,8 +51,10 @@ class Sensitivity {
   const StaticProblem* problem_ = nullptr;
   const LinearSolver* factor_ = nullptr;
   MatX by_parameters_;
-  MatX held_;   ///< what held unknowns do, (unknowns x m), local axes; no columns where nothing that is held moves
-  MatX right_;  ///< (free unknowns x m): minus the forces that the change of p brings about
+  MatX held_;  ///< what held unknowns do, (unknowns x m), local axes; no columns where nothing that is held moves
+  std::vector<int> turned_;  ///< free unknowns on which N acts
+  MatX skew_, reach_;        ///< N on these, and H^-1 of their unit vectors (free unknowns x turned)
+  MatX right_;               ///< (free unknowns x m): minus the forces that the change of p brings about
 };
 
 }  // namespace lissom

@@ -51,7 +51,9 @@ class ModelBits {
   }
   void add(const SectionProfile& x) { add_all(x.shape, x.r_n, x.r_b, x.wall); }
   void add(const MaterialAxes& x) { add_all(x.kind, x.normal, x.normals); }
-  void add(const Natural& x) { add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.length_factor, x.curve, x.axes); }
+  void add(const Natural& x) {
+    add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.length_factor, x.curve, x.axes);
+  }
   void add(const Rod& x) { add_all(x.name, x.curve, x.material, x.section, x.axes, x.natural, x.edges, x.edge_length); }
   void add(const NetworkFile& x) {
     add_all(x.name, x.file, x.unit, x.rods, x.chain_angle, x.edges_per_piece, x.rod_count, x.notes);
