@@ -126,19 +126,19 @@ Status Change::natural_shape(std::size_t r, double length_factor, const Vec3& ra
     longest = std::max(longest, structure_.edges[static_cast<std::size_t>(e)].rest_length / rod.length_factor);
   }
   if (!(length_factor > 0)) {
-    return Error{ErrorCode::kRange, "/rods",
-                 fmt::format("the natural length of rod \"{}\" would be {:g} times the drawn one", rod.name,
-                             length_factor),
-                 "raise the lower bound of the factor"};
+    return Error{
+        ErrorCode::kRange, "/rods",
+        fmt::format("the natural length of rod \"{}\" would be {:g} times the drawn one", rod.name, length_factor),
+        "raise the lower bound of the factor"};
   }
   if (rod.natural_rates) {
     const double most = std::numbers::pi / 2;
     if (std::hypot(rates[0], rates[1]) * length_factor * longest > most ||
         std::abs(rates[2]) * length_factor * longest > most) {
-      return Error{ErrorCode::kGeometry, "/rods",
-                   fmt::format("the natural curvature or twist of rod \"{}\" turns by more than 90 degrees per edge",
-                               rod.name),
-                   "use shorter edges or narrower bounds"};
+      return Error{
+          ErrorCode::kGeometry, "/rods",
+          fmt::format("the natural curvature or twist of rod \"{}\" turns by more than 90 degrees per edge", rod.name),
+          "use shorter edges or narrower bounds"};
     }
     if (!rates.isZero(0)) natural.kind = Natural::Kind::kCurved;
     natural.curvature_b = rates[0];
@@ -153,8 +153,7 @@ Status Change::natural_shape(std::size_t r, double length_factor, const Vec3& ra
 Status Change::rod_moduli() {
   const auto modulus = [&](int r) { return after_[inputs_.youngs_modulus(r)]; };
   return share_out(
-      model_.materials, structure_.rods,
-      [&](const std::string& name) { return model_.material(name); },
+      model_.materials, structure_.rods, [&](const std::string& name) { return model_.material(name); },
       [&](int r) { return differs(inputs_.youngs_modulus(r)); }, [&](int a, int b) { return modulus(a) == modulus(b); },
       [&](Material& material, int r) { material.youngs_modulus = modulus(r); },
       [&](int r, const std::string& name) -> Status {
@@ -168,19 +167,22 @@ Status Change::rod_moduli() {
 
 Status Change::membranes() {
   using Four = Eigen::Vector4d;  // stiffnesses, Poisson's ratio, thickness
-  const auto numbers = [&](const VecX& inputs, int m) -> Four { return inputs.segment<4>(inputs_.sheet_stiffness(m, 0)); };
+  const auto numbers = [&](const VecX& inputs, int m) -> Four {
+    return inputs.segment<4>(inputs_.sheet_stiffness(m, 0));
+  };
   for (int m = 0; m < static_cast<int>(structure_.membranes.size()); ++m) {
     const Vec2 stretch = after_.segment<2>(inputs_.pre_stretch(m, 0));
     if (stretch == before_.segment<2>(inputs_.pre_stretch(m, 0))) continue;
     if (!(stretch.minCoeff() > 0)) {
       return Error{ErrorCode::kRange, "/membranes",
-                   fmt::format("the pre-stretch of membrane \"{}\" would be {:g} and {:g}", structure_.membranes[m].name,
-                               stretch[0], stretch[1]),
+                   fmt::format("the pre-stretch of membrane \"{}\" would be {:g} and {:g}",
+                               structure_.membranes[m].name, stretch[0], stretch[1]),
                    "raise the lower bounds of the pre-stretch"};
     }
     structure_.membranes[m].pre_stretch = stretch;
     (planned_membrane(static_cast<std::size_t>(m)) ? model_.plan->fabric.pre_stretch
-                                                   : model_.membranes[static_cast<std::size_t>(m)].pre_stretch) = stretch;
+                                                   : model_.membranes[static_cast<std::size_t>(m)].pre_stretch) =
+        stretch;
   }
   return share_out(
       model_.membrane_materials, structure_.membranes,
@@ -225,7 +227,8 @@ DesignValues values_of(const Design& design) {
   DesignValues values{rest_input_values(design.model, design.system), {}};
   for (const Pose& pose : design.model.poses) {
     PoseValues own{load_number_values(pose, design.system.structure), VecX(3 * static_cast<int>(pose.supports.size()))};
-    for (int i = 0; i < static_cast<int>(pose.supports.size()); ++i) own.moves.segment<3>(3 * i) = pose.supports[i].move;
+    for (int i = 0; i < static_cast<int>(pose.supports.size()); ++i)
+      own.moves.segment<3>(3 * i) = pose.supports[i].move;
     values.poses.push_back(std::move(own));
   }
   return values;

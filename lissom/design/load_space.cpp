@@ -76,7 +76,8 @@ LoadPlace place_of(const Pose& pose, const LoadNumbers& numbers, const LoadChoic
     case LoadKind::kPinStiffness:
       return of(pose.soft_pins, numbers.pin_stiffness(i), [](const SoftPin& p) { return Vec3(p.stiffness, 0, 0); });
     case LoadKind::kPinTarget:
-      return of(pose.soft_pins, numbers.pin_target(i), [](const SoftPin& p) { return p.target.value_or(Vec3::Zero()); });
+      return of(pose.soft_pins, numbers.pin_target(i),
+                [](const SoftPin& p) { return p.target.value_or(Vec3::Zero()); });
     case LoadKind::kMove:
       return of(pose.supports, 3 * i, [](const Support& s) { return s.move; });
     case LoadKind::kGravity:

@@ -19,12 +19,14 @@ using RowMajor = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 bool has_bounds(const Parameter& parameter) { return parameter.lower != 0 || parameter.upper != 0; }
 
 Error no_range(const std::string& name) {
-  return {ErrorCode::kRange, "/parameters", fmt::format("no value of \"{}\" keeps all it acts on within their bounds", name),
+  return {ErrorCode::kRange, "/parameters",
+          fmt::format("no value of \"{}\" keeps all it acts on within their bounds", name),
           "widen the bounds, or start from within them"};
 }
 
 /// Ranges of those parameters that came without.
-Status find_bounds(const DesignSpace& inner, const VecX& origin, const RowMajor& z, std::vector<Parameter>& parameters) {
+Status find_bounds(const DesignSpace& inner, const VecX& origin, const RowMajor& z,
+                   std::vector<Parameter>& parameters) {
   std::vector<bool> wanted;
   for (Parameter& parameter : parameters) {
     wanted.push_back(!has_bounds(parameter));

@@ -46,10 +46,9 @@ Result<NetworkRadii> NetworkRadii::make(const Model& model, const Structure& str
   for (const StructureRod& rod : structure.rods) out.rod_edges_.push_back(rod.edges);
   for (int axis = 0; axis < 2; ++axis) {
     for (int c = 0; c < out.controls_.size(); ++c) {
-      out.parameters_.push_back({ParameterKind::kRadius,
-                                 fmt::format("{}: {}", out.controls_.name(c, structure), axis == 0 ? "r_n" : "r_b"),
-                                 range[0], range[1], kScale * (range[1] - range[0]),
-                                 out.controls_.place(c, structure), axis});
+      out.parameters_.push_back(
+          {ParameterKind::kRadius, fmt::format("{}: {}", out.controls_.name(c, structure), axis == 0 ? "r_n" : "r_b"),
+           range[0], range[1], kScale * (range[1] - range[0]), out.controls_.place(c, structure), axis});
     }
   }
   return out;

@@ -15,8 +15,8 @@ namespace lissom {
 class PlanDesignSpace final : public DesignSpace {
  public:
   /// Of the plan of `model`, on a mesh of its own.
-  static Result<PlanDesignSpace> make(const Model& model, const PlanSpaceOptions& options, const MeshLimits& limits = {},
-                                      double refine = 1);
+  static Result<PlanDesignSpace> make(const Model& model, const PlanSpaceOptions& options,
+                                      const MeshLimits& limits = {}, double refine = 1);
 
   std::span<const Parameter> parameters() const override { return space_->parameters(); }
   VecX start() const override { return space_->values(*base_->model.plan); }

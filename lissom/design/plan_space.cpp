@@ -192,7 +192,6 @@ SparseMatrix PlanSpace::rest_inputs(const Model& model, const PlanMesh& mesh, co
       }
       default:  // a plan has no others
         LISSOM_ASSERT(false);
-
     }
   }
   if (std::any_of(position_slot.begin(), position_slot.end(), [](int k) { return k >= 0; })) {

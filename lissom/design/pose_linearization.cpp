@@ -86,7 +86,7 @@ VecX PoseLinearization::hessian_times(const VecX& v, ThreadPool* threads) const 
   const VecX h_q = by_q_.transpose() * residual_, h_n = by_numbers_.transpose() * residual_;
   VecX local_h_q = h_q;
   potential.to_local(local_h_q);
-  const VecX local_multiplier = -sensitivity_.back_solve(local_h_q);
+  const VecX local_multiplier = -sensitivity_.back_solve(local_h_q, Sensitivity::Side::kTransposed);
   VecX multiplier = local_multiplier;
   potential.to_global(multiplier);
 
@@ -104,7 +104,7 @@ VecX PoseLinearization::hessian_times(const VecX& v, ThreadPool* threads) const 
   VecX l_n = third_n;
   l_n.head(rests) += l_rest;
   potential.to_local(l_q);
-  const VecX change = -sensitivity_.back_solve(l_q);  // of the multiplier
+  const VecX change = -sensitivity_.back_solve(l_q, Sensitivity::Side::kTransposed);  // of the multiplier
   l_n += sensitivity_.gradient_by_numbers().transpose() * change;
   VecX result = sensitivity_.numbers().transpose() * l_n;
   const bool holds = sensitivity_.held().cols() > 0;

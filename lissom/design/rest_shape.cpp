@@ -96,14 +96,15 @@ Result<LinearSpace> rest_shape_space(std::shared_ptr<const Design> base, const R
   const Structure& structure = base->system.structure;
   if (Status s = check_redrawable(base->model, structure); !s) return s.error();
   if (!(options.reach > 0) || !std::isfinite(options.reach)) {
-    return Error{ErrorCode::kRange, "/rods", fmt::format("controls of the rest shape may move by {:g} m", options.reach),
-                 "give a positive reach"};
+    return Error{ErrorCode::kRange, "/rods",
+                 fmt::format("controls of the rest shape may move by {:g} m", options.reach), "give a positive reach"};
   }
   for (const Pose& pose : base->model.poses) {
     for (const Support& support : pose.supports) {
       if (support.kind != SupportKind::kClampEdge) continue;
       return Error{ErrorCode::kUnsupported, "pose \"" + pose.name + "\"",
-                   "a support clamps whole edges, whose roll would turn with the rest shape", "use hold \"clamp\" there"};
+                   "a support clamps whole edges, whose roll would turn with the rest shape",
+                   "use hold \"clamp\" there"};
     }
   }
   const Result<RodControls> made = RodControls::make(structure, options.stage);
@@ -119,9 +120,9 @@ Result<LinearSpace> rest_shape_space(std::shared_ptr<const Design> base, const R
     for (int axis = 0; axis < 3; ++axis) {
       if (fixed[static_cast<std::size_t>(c)][static_cast<std::size_t>(axis)]) continue;
       const int column = static_cast<int>(parameters.size());
-      parameters.push_back({ParameterKind::kDisplacement, fmt::format("{}: move along {}", controls.name(c, structure), "xyz"[axis]),
-                            -options.reach, options.reach, kScale * 2 * options.reach, controls.place(c, structure),
-                            axis});
+      parameters.push_back({ParameterKind::kDisplacement,
+                            fmt::format("{}: move along {}", controls.name(c, structure), "xyz"[axis]), -options.reach,
+                            options.reach, kScale * 2 * options.reach, controls.place(c, structure), axis});
       for (SparseMatrix::InnerIterator it(weights, c); it; ++it) {
         entries.emplace_back(3 * static_cast<int>(it.row()) + axis, column, it.value());
       }

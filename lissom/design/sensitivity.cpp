@@ -1,12 +1,17 @@
 #include "lissom/design/sensitivity.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "lissom/core/assert.h"
 #include "lissom/core/sparse_pattern.h"
+#include "lissom/geometry/frame.h"
 #include "lissom/mechanics/gradient_by_rest.h"
 #include "lissom/mechanics/load_numbers.h"
+#include "lissom/mechanics/loads.h"
 #include "lissom/mechanics/rest_jacobian.h"
 
 namespace lissom {
@@ -92,6 +97,7 @@ Result<Sensitivity> Sensitivity::make(const Model& model, const Pose& pose, cons
   Sensitivity result;
   result.problem_ = &problem;
   result.factor_ = &factor;
+  result.set_moments(pose, equilibrium);
   const RestNumbers rest(system.structure);
   const LoadNumbers loads(pose, system.structure);
   std::vector<Eigen::Triplet<double>> entries;
@@ -117,10 +123,68 @@ Result<Sensitivity> Sensitivity::make(const Model& model, const Pose& pose, cons
   return result;
 }
 
-VecX Sensitivity::back_solve(const VecX& w) const {
+void Sensitivity::set_moments(const Pose& pose, const State& equilibrium) {
+  if (pose.moments.empty()) return;
+  // Moments on each unknown: they are linear in the unknowns, so that their gradient is what they are.
+  const System& system = *problem_->system;
+  VecX moment = VecX::Zero(system.layout.size());
+  for (const auto& term : problem_->potential.terms()) {
+    if (term->name() != JointMoment::kName) continue;
+    const int dofs = term->dofs();
+    std::vector<double> blocks(static_cast<std::size_t>(term->groups()) * kLanes * dofs);
+    term->derivatives(equilibrium, 0, term->groups(), blocks.data(), nullptr);
+    for (int k = 0; k < term->stencils() * dofs; ++k) moment[term->indices()[k]] -= blocks[static_cast<std::size_t>(k)];
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < system.joint_count(); ++j) {
+    const int r = system.layout.rotation(j);
+    if (r < 0 || moment.segment<3>(r).isZero(0)) continue;
+    // The gradient of all else is the moment. Turned by u it changes by H u + u x moment / 2 [Baker, Campbell, Hausdorff].
+    Mat3 block = -0.5 * skew(moment.segment<3>(r));
+    for (const LocalAxes& local : problem_->supports.local_axes()) {
+      if (local.first_dof == r) block = local.axes.transpose() * block * local.axes;
+    }
+    std::array<int, 3> column{-1, -1, -1};
+    for (int i = 0; i < 3; ++i) {
+      const int free = problem_->supports.kept()[r + i];
+      if (free < 0) continue;
+      column[i] = static_cast<int>(turned_.size());
+      turned_.push_back(free);
+    }
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        if (column[a] >= 0 && column[b] >= 0) entries.emplace_back(column[a], column[b], block(a, b));
+      }
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(turned_.size());
+  skew_ = MatX::Zero(count, count);
+  for (const auto& entry : entries) skew_(entry.row(), entry.col()) = entry.value();
+  MatX units = MatX::Zero(problem_->supports.unknowns(), count);
+  for (int k = 0; k < count; ++k) units(turned_[static_cast<std::size_t>(k)], k) = 1;
+  if (count > 0) factor_->solve_many(units, reach_);
+}
+
+void Sensitivity::solve(VecX& x, Side side) const {
+  factor_->solve(x, x);
+  if (turned_.empty()) return;
+  // Woodbury: N has few rows, and its transpose is its negative.
+  const MatX n = side == Side::kForward ? skew_ : MatX(-skew_);
+  const auto count = static_cast<Eigen::Index>(turned_.size());
+  MatX small(count, count);
+  VecX here(count);
+  for (int k = 0; k < count; ++k) {
+    small.row(k) = reach_.row(turned_[static_cast<std::size_t>(k)]);
+    here[k] = x[turned_[static_cast<std::size_t>(k)]];
+  }
+  const VecX turn = (MatX::Identity(count, count) + small * n).partialPivLu().solve(here);
+  x -= reach_ * (n * turn);
+}
+
+VecX Sensitivity::back_solve(const VecX& w, Side side) const {
   VecX free, local;
   problem_->supports.restrict(w, free);
-  factor_->solve(free, free);
+  solve(free, side);
   problem_->supports.expand(free, local);
   return local;
 }
@@ -132,7 +196,7 @@ VecX Sensitivity::hessian_times(const VecX& w) const {
 }
 
 VecX Sensitivity::forward(const VecX& v) const {
-  VecX local = back_solve(-(forces_ * v));
+  VecX local = back_solve(-(forces_ * v), Side::kForward);
   if (held_.cols() > 0) local += held_ * v;
   problem_->potential.to_global(local);
   return local;
@@ -141,7 +205,7 @@ VecX Sensitivity::forward(const VecX& v) const {
 VecX Sensitivity::adjoint(const VecX& w) const {
   VecX local = w;
   problem_->potential.to_local(local);
-  VecX result = -(forces_.transpose() * back_solve(local));
+  VecX result = -(forces_.transpose() * back_solve(local, Side::kTransposed));
   if (held_.cols() > 0) result += held_.transpose() * local;
   return result;
 }
@@ -154,11 +218,17 @@ MatX Sensitivity::dense() const {
       if (kept[it.row()] >= 0) right(kept[it.row()], j) = -it.value();
     }
   }
-  factor_->solve_many(right, free);
+  if (turned_.empty()) factor_->solve_many(right, free);
   MatX all(problem_->system->layout.size(), parameters());
-  VecX local;
+  VecX column, local;
   for (int j = 0; j < parameters(); ++j) {
-    problem_->supports.expand(free.col(j), local);
+    if (turned_.empty()) {
+      column = free.col(j);
+    } else {
+      column = right.col(j);
+      solve(column, Side::kForward);
+    }
+    problem_->supports.expand(column, local);
     if (held_.cols() > 0) local += held_.col(j);
     problem_->potential.to_global(local);
     all.col(j) = local;

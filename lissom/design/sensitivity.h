@@ -37,12 +37,17 @@ class Sensitivity {
   const SparseMatrix& gradient_by_numbers() const { return by_numbers_; }
   /// d held unknowns / d p, (unknowns x m), rows in local axes; no columns where nothing that is held moves.
   const SparseMatrix& held() const { return held_; }
-  /// H^-1 w over the unknowns that are free, 0 for those that are held; local axes in and out.
-  VecX back_solve(const VecX& w) const;
+  enum class Side { kForward, kTransposed };
+  /// (H + N)^-1 w, or that of the transpose, over the unknowns that are free, 0 for those that are held; local axes in and
+  /// out. N: what turning a joint does to the gradient of all else there that the symmetric H leaves out, where moments with
+  /// fixed axes act [docs/energies/loads.md]; else 0.
+  VecX back_solve(const VecX& w, Side side) const;
   /// H w, local axes in and out.
   VecX hessian_times(const VecX& w) const;
 
  private:
+  void solve(VecX& x, Side side) const;
+  void set_moments(const Pose& pose, const State& equilibrium);
   static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                   const State& equilibrium, const LinearSolver& factor, const DesignJacobian& jacobian,
                                   const PoseJacobian& own);
@@ -51,6 +56,8 @@ class Sensitivity {
   const LinearSolver* factor_ = nullptr;
   SparseMatrix numbers_, by_numbers_, held_;
   SparseMatrix forces_;          // d gradient / d p at fixed free unknowns, (unknowns x m), local axes
+  std::vector<int> turned_;      // free unknowns on which N acts
+  MatX skew_, reach_;            // N on these, and H^-1 of their unit vectors (free unknowns x turned)
   std::vector<double> hessian_;  // values in the order of the potential's pattern
 };
 

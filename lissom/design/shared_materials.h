@@ -2,7 +2,6 @@
 /// Materials with numbers of their own for those that used to share one. Only design_values.cpp includes this.
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,7 +27,7 @@ std::string unused_name(const std::vector<M>& materials, const std::string& want
   for (int number = 2;; ++number) {
     const bool used = std::any_of(materials.begin(), materials.end(), [&](const M& m) { return m.name == name; });
     if (!used) return name;
-    name = fmt::format("{} ({})", wanted, number);
+    name = wanted + " (" + std::to_string(number) + ")";
   }
 }
 
@@ -51,8 +50,8 @@ Status share_out(std::vector<M>& materials, const std::vector<User>& users, cons
         material = &own(materials, original);
       } else if (changed(u)) {
         M copy = original;
-        const std::string label = users[u].name.empty() ? fmt::format("number {}", u) : users[u].name;
-        copy.name = unused_name(materials, fmt::format("{} of {}", name, label));
+        const std::string label = users[u].name.empty() ? "number " + std::to_string(u) : users[u].name;
+        copy.name = unused_name(materials, name + " of " + label);
         if (Status s = rename(u, copy.name); !s) return s;
         materials.push_back(std::move(copy));
         material = &materials.back();
@@ -60,7 +59,7 @@ Status share_out(std::vector<M>& materials, const std::vector<User>& users, cons
         continue;
       }
       set(*material, u);
-      if (Status s = material->validate(fmt::format("material \"{}\"", material->name)); !s) return s;
+      if (Status s = material->validate("material \"" + material->name + "\""); !s) return s;
     }
   }
   return {};

@@ -141,7 +141,8 @@ Result<LinearSpace> youngs_modulus_space(std::shared_ptr<const Design> base, Mod
     return std::move(columns).space(std::move(base));
   }
   std::map<std::string, std::vector<int>> by_material;
-  for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r) by_material[structure.rods[r].material].push_back(r);
+  for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r)
+    by_material[structure.rods[r].material].push_back(r);
   for (const auto& [name, rods] : by_material) {
     columns.add(parameter(fmt::format("material \"{}\"", name)), modulus(rods[0]));
     for (const int r : rods) columns.input(inputs.youngs_modulus(r), 1);
@@ -220,8 +221,7 @@ Result<LinearSpace> natural_shape_space(std::shared_ptr<const Design> base, cons
                      fmt::format("the natural shape of rod \"{}\" has no constant curvature and twist", rod.name),
                      "describe it as \"straight\", or by its curvatures and twist"};
       }
-      const int row =
-          factor ? inputs.length_factor(r) : inputs.natural_rate(r, static_cast<int>(choice.property));
+      const int row = factor ? inputs.length_factor(r) : inputs.natural_rate(r, static_cast<int>(choice.property));
       const double start = factor ? rod.length_factor : (*rod.natural_rates)[static_cast<int>(choice.property)];
       columns.add({words.kind, fmt::format("rod \"{}\": {}", rod.name, words.name), choice.range[0], choice.range[1]},
                   start);

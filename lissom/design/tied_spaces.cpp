@@ -49,9 +49,7 @@ double mirror_sign(const Parameter& p, int axis) {
 }
 
 /// A coordinate, not a difference of coordinates.
-bool is_place(const Parameter& p) {
-  return p.kind == ParameterKind::kPosition || p.kind == ParameterKind::kPinTarget;
-}
+bool is_place(const Parameter& p) { return p.kind == ParameterKind::kPosition || p.kind == ParameterKind::kPinTarget; }
 
 bool is_vector(const Parameter& p) {
   return p.axis >= 0 && p.kind != ParameterKind::kRadius && p.kind != ParameterKind::kPreStretch &&
@@ -90,8 +88,8 @@ Result<MappedSpace> chosen_parameters(SpacePtr space, const std::vector<int>& nu
   for (const int i : numbers) {
     if (Status s = check_number(*space, i); !s) return s.error();
     if (taken[static_cast<std::size_t>(i)]) {
-      return Error{ErrorCode::kConflict, "/parameters", fmt::format("\"{}\" is chosen twice", parameter(*space, i).name),
-                   "name it once"};
+      return Error{ErrorCode::kConflict, "/parameters",
+                   fmt::format("\"{}\" is chosen twice", parameter(*space, i).name), "name it once"};
     }
     taken[static_cast<std::size_t>(i)] = true;
     entries.emplace_back(i, static_cast<int>(parameters.size()), 1);
@@ -127,8 +125,7 @@ Result<MappedSpace> tied_parameters(SpacePtr space, const std::vector<std::vecto
       column = static_cast<int>(parameters.size());
       const Parameter& own = parameter(*space, i);
       const std::size_t members = group < 0 ? 1 : groups[static_cast<std::size_t>(group)].size();
-      parameters.push_back(
-          members < 2 ? own : open(own, fmt::format("{} and {} more", own.name, members - 1)));
+      parameters.push_back(members < 2 ? own : open(own, fmt::format("{} and {} more", own.name, members - 1)));
       if (group >= 0) column_of[static_cast<std::size_t>(group)] = column;
     }
     entries.emplace_back(i, column, 1);

@@ -43,8 +43,7 @@ class LineLoadBuilder {
       for (const int number : links_at_[i]) links_.push_back({entry, number, 0.5});
       link_three(source_, links_, entry + 1, load);
       const Vec3& w = force_per_length;
-      energy_.stencils.push_back(
-          {source_.node_dofs(i), {length_[i], w.x(), w.y(), w.z()}, source_.drawn(i), scaling});
+      energy_.stencils.push_back({source_.node_dofs(i), {length_[i], w.x(), w.y(), w.z()}, source_.drawn(i), scaling});
       length_[i] = 0;
       links_at_[i].clear();
     }

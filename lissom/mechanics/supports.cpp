@@ -94,7 +94,8 @@ SparseMatrix Supports::held_by(const System& system, int columns, const Column& 
     std::map<int, Mat3>& follows = by_node[held.node];
     for (auto& [other, matrix] : follows) matrix -= held.along * matrix;
     if (const int own = column(held); own >= 0) {
-      follows.try_emplace(own, Mat3::Zero()).first->second += held.along * (axes * mask.asDiagonal() * axes.transpose());
+      follows.try_emplace(own, Mat3::Zero()).first->second +=
+          held.along * (axes * mask.asDiagonal() * axes.transpose());
     }
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -120,8 +121,7 @@ SparseMatrix Supports::held_by_places(const System& system) const {
 }
 
 SparseMatrix Supports::held_by_moves(const System& system) const {
-  return held_by(system, 3 * supports_,
-                 [](const HeldPosition& held) { return held.moves ? 3 * held.support : -1; });
+  return held_by(system, 3 * supports_, [](const HeldPosition& held) { return held.moves ? 3 * held.support : -1; });
 }
 
 void Supports::take_places(const Supports& other) {

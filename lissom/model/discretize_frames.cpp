@@ -81,7 +81,8 @@ void frames_from_joints(RodShape& shape, const Vec3& start, const Vec3& end) {
 
 std::vector<Vec3> directions_of_normals(const RodShape& shape, const MaterialAxes& axes) {
   const bool per_point = axes.kind == MaterialAxes::Kind::kPerPoint && !axes.normals.empty();
-  if (!per_point && axes.kind != MaterialAxes::Kind::kDirection && axes.kind != MaterialAxes::Kind::kPerPoint) return {};
+  if (!per_point && axes.kind != MaterialAxes::Kind::kDirection && axes.kind != MaterialAxes::Kind::kPerPoint)
+    return {};
   const int n = shape.edges();
   std::vector<Vec3> directions;
   directions.reserve(static_cast<size_t>(n));

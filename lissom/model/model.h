@@ -52,9 +52,9 @@ struct Natural {
     kCurve,     ///< another curve, with its own axes, cut into the same edges
   };
   Kind kind = Kind::kAsDrawn;
-  double curvature_b = 0;  ///< 1/m, towards b (kappa_1)
-  double curvature_n = 0;  ///< 1/m, towards n (kappa_2)
-  double twist = 0;        ///< rad/m
+  double curvature_b = 0;    ///< 1/m, towards b (kappa_1)
+  double curvature_n = 0;    ///< 1/m, towards n (kappa_2)
+  double twist = 0;          ///< rad/m
   double length_factor = 1;  ///< natural length over that of the shape above
   std::optional<Curve> curve;
   std::optional<MaterialAxes> axes;  ///< of `curve`; those of the rod when absent

@@ -209,7 +209,9 @@ TEST(RestNumbers, GradientsFollowInputs) {
     const Potential own_potential(other.layout.size(), std::move(own).value());
     AssemblyBuffers buffers;
     VecX gradient;
-    own_potential.gradient(moved, gradient, buffers);
+    State own_state;  // with twists against the joints of this model
+    EXPECT_TRUE(advance(other, moved, VecX::Zero(dq.size()), own_state));
+    own_potential.gradient(own_state, gradient, buffers);
     return gradient;
   };
   const auto compare = [&](const VecX& column, double h, const auto& change) {

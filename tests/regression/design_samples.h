@@ -48,16 +48,49 @@ inline VecX uneven(const DesignSpace& space, double share = 0.1) {
   return p;
 }
 
-inline void expect_same_numbers(const VecX& got, const VecX& expected, double tolerance) {
+/// Which rest numbers are angles, or coordinates that may be zero: their rounding does not shrink with them.
+inline std::vector<bool> absolute_numbers(const Structure& structure) {
+  const RestNumbers layout(structure);
+  std::vector<bool> absolute(static_cast<std::size_t>(layout.size()), false);
+  const auto mark = [&](int number) { absolute[static_cast<std::size_t>(number)] = true; };
+  for (int p = 0; p < static_cast<int>(structure.pairs.size()); ++p) {
+    for (const int strain : {kKappa1, kKappa2, kRestTwist}) mark(layout.pair(p, strain));
+  }
+  int connection = 0;
+  for (const StructureJoint& joint : structure.joints) {
+    for (std::size_t k = 0; k < joint.connections.size(); ++k, ++connection) {
+      for (int i = 0; i < 3; ++i) mark(layout.connection(connection, kRestTurn + i));
+    }
+  }
+  for (int t = 0; t < static_cast<int>(structure.triangles.size()); ++t) {
+    for (int i = 0; i < 6; ++i) mark(layout.triangle(t, kCorner + i));
+  }
+  for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h) mark(layout.hinge(h, kHingeAngle));
+  return absolute;
+}
+
+inline void expect_same_numbers(const Structure& structure, const VecX& got, const VecX& expected, double tolerance) {
   ASSERT_EQ(got.size(), expected.size());
+  const std::vector<bool> absolute = absolute_numbers(structure);
   for (int i = 0; i < got.size(); ++i) {
-    EXPECT_NEAR(got[i], expected[i], tolerance * std::max(1e-3, std::abs(expected[i]))) << i;
+    const double size =
+        absolute[static_cast<std::size_t>(i)] ? std::max(1.0, std::abs(expected[i])) : std::abs(expected[i]);
+    EXPECT_NEAR(got[i], expected[i], tolerance * size) << i;
+  }
+}
+
+/// Places within `tolerance` of the size of the structure, all others of themselves.
+inline void expect_same_inputs(const Structure& structure, const VecX& got, const VecX& expected, double tolerance) {
+  ASSERT_EQ(got.size(), expected.size());
+  const int places = 3 * static_cast<int>(structure.nodes.size());
+  for (int i = 0; i < got.size(); ++i) {
+    EXPECT_NEAR(got[i], expected[i], tolerance * (i < places ? structure.size : std::abs(expected[i]))) << i;
   }
 }
 
 /// The description, discretised anew, and the formulas that are differentiated both give the rest numbers of the design;
 /// inputs follow the parameters as the space says.
-inline void expect_consistent(const DesignSpace& space, const VecX& p, double tolerance = 1e-11) {
+inline void expect_consistent(const DesignSpace& space, const VecX& p, double tolerance = 1e-12) {
   const Design design = design_at(space, p);
   const Status valid = design.model.validate();
   EXPECT_TRUE(valid) << valid.error().text();
@@ -65,14 +98,15 @@ inline void expect_consistent(const DesignSpace& space, const VecX& p, double to
   const VecX inputs = rest_input_values(design.model, design.system);
   {
     SCOPED_TRACE("by the formulas");
-    expect_same_numbers(rest_numbers_of(design.model, design.system, inputs), numbers, tolerance);
+    expect_same_numbers(design.system.structure, rest_numbers_of(design.model, design.system, inputs), numbers,
+                        tolerance);
   }
   const Result<System> again = make_system(design.model);
   ASSERT_TRUE(again) << again.error().text();
   {
     SCOPED_TRACE("discretised anew");
-    expect_same_numbers(rest_number_values(again.value()), numbers, tolerance);
-    expect_same_numbers(rest_input_values(design.model, again.value()), inputs, tolerance);
+    expect_same_numbers(design.system.structure, rest_number_values(again.value()), numbers, tolerance);
+    expect_same_inputs(design.system.structure, rest_input_values(design.model, again.value()), inputs, tolerance);
   }
   ASSERT_EQ(again.value().connections.size(), design.system.connections.size());
   for (std::size_t k = 0; k < design.system.connections.size(); ++k) {
@@ -101,14 +135,14 @@ inline void expect_input_jacobian(const DesignSpace& space, const VecX& p, doubl
       low[i] = std::max(p[i] - step, parameter.lower);
       high[i] = std::min(p[i] + step, parameter.upper);
       const Design a = design_at(space, low), b = design_at(space, high);
-      field[level] =
-          (rest_input_values(b.model, b.system) - rest_input_values(a.model, a.system)) / (high[i] - low[i]);
+      field[level] = (rest_input_values(b.model, b.system) - rest_input_values(a.model, a.system)) / (high[i] - low[i]);
     }
     const VecX expected = (4 * field[1] - field[0]) / 3;
     const VecX exact = jacobian.inputs.cols() > 0 ? VecX(jacobian.inputs.col(i)) : VecX(VecX::Zero(expected.size()));
     for (int k = 0; k < expected.size(); ++k) {
       const double rounding = 1e-13 * std::abs(sizes[k]) / (1e-2 * parameter.scale);
-      EXPECT_NEAR(exact[k], expected[k], tolerance * std::abs(expected[k]) + rounding) << parameter.name << ", input " << k;
+      EXPECT_NEAR(exact[k], expected[k], tolerance * std::abs(expected[k]) + rounding)
+          << parameter.name << ", input " << k;
     }
   }
 }
@@ -119,7 +153,8 @@ struct Solved {
   State state;
 };
 
-/// The equilibrium of a pose, from `start` or else from the drawn shape, polished beyond what a solve asks for.
+/// The equilibrium of a pose, from `start`, of any design of the space, or else from the drawn shape, polished beyond what a
+/// solve asks for.
 inline std::unique_ptr<Solved> solved(const DesignSpace& space, const VecX& p, int pose, const State* start) {
   auto out = std::make_unique<Solved>(Solved{design_at(space, p), nullptr, {}});
   const Model& model = out->design.model;
@@ -129,9 +164,14 @@ inline std::unique_ptr<Solved> solved(const DesignSpace& space, const VecX& p, i
   out->problem = std::make_unique<StaticProblem>(std::move(problem).value());
   SolveOptions options;
   options.modes = 0;
-  const Equilibrium e = solve(
-      *out->problem,
-      start != nullptr ? *start : start_state(*out->problem, model.poses[static_cast<std::size_t>(pose)]), 1, options);
+  State from;
+  if (start == nullptr) {
+    from = start_state(*out->problem, model.poses[static_cast<std::size_t>(pose)]);
+  } else {
+    // Twists against joints, and rotations that follow the rods, are those of this design.
+    EXPECT_TRUE(advance(out->design.system, *start, VecX::Zero(start->q.size()), from));
+  }
+  const Equilibrium e = solve(*out->problem, from, 1, options);
   EXPECT_EQ(e.verdict, Verdict::kStable) << e.message;
   out->state = e.state;
   const Context context;
@@ -182,7 +222,8 @@ inline void expect_sensitivities(const DesignSpace& space, const VecX& p, int po
     EXPECT_LT((dense.col(parameter).head(positions) - exact).norm(), 1e-9 * exact.norm());
     VecX weights = VecX::Zero(at->design.system.layout.size());
     weights.head(positions) = again / again.norm();
-    EXPECT_NEAR(sensitivity.value().adjoint(weights)[parameter], exact.dot(weights.head(positions)), 1e-9 * exact.norm());
+    EXPECT_NEAR(sensitivity.value().adjoint(weights)[parameter], exact.dot(weights.head(positions)),
+                1e-9 * exact.norm());
   }
 }
 

@@ -93,16 +93,14 @@ TEST(LoadSpaces, SensitivitiesToLoadsPinsAndMoves) {
     const auto choice = [](LoadKind kind, int index, LoadPart part, double low, double high) {
       return LoadChoice{kind, 1, index, part, {low, high}};
     };
-    const LinearSpace space =
-        made(load_space(base, {choice(LoadKind::kForce, 0, LoadPart::kY, -2, 2),
-                               choice(LoadKind::kForce, 1, LoadPart::kSize, 0, 2),
-                               choice(LoadKind::kMoment, 0, LoadPart::kX, -0.1, 0.1),
-                               choice(LoadKind::kLineLoad, 0, LoadPart::kSize, 0, 5),
-                               choice(LoadKind::kGravity, 0, LoadPart::kZ, -20, 0),
-                               choice(LoadKind::kPinStiffness, 0, LoadPart::kSize, 1, 100),
-                               choice(LoadKind::kPinTarget, 0, LoadPart::kZ, 0, 0.1),
-                               choice(LoadKind::kMove, 0, LoadPart::kX, -0.02, 0.02),
-                               choice(LoadKind::kMove, 1, LoadPart::kX, -0.02, 0.02)}));
+    const LinearSpace space = made(load_space(
+        base,
+        {choice(LoadKind::kForce, 0, LoadPart::kY, -2, 2), choice(LoadKind::kForce, 1, LoadPart::kSize, 0, 2),
+         choice(LoadKind::kMoment, 0, LoadPart::kX, -0.1, 0.1), choice(LoadKind::kLineLoad, 0, LoadPart::kSize, 0, 5),
+         choice(LoadKind::kGravity, 0, LoadPart::kZ, -20, 0),
+         choice(LoadKind::kPinStiffness, 0, LoadPart::kSize, 1, 100),
+         choice(LoadKind::kPinTarget, 0, LoadPart::kZ, 0, 0.1), choice(LoadKind::kMove, 0, LoadPart::kX, -0.02, 0.02),
+         choice(LoadKind::kMove, 1, LoadPart::kX, -0.02, 0.02)}));
     ASSERT_EQ(space.size(), 9);
     EXPECT_EQ(space.start()[0], 0.4);
     EXPECT_NEAR(space.start()[1], std::hypot(0.3, 0.1), 1e-15);
@@ -149,8 +147,9 @@ TEST(LoadSpaces, WhatCannotBeIsNamed) {
             "/poses/1/soft_pins: this soft pin pulls towards where its nodes are drawn (give it a target)");
   EXPECT_EQ(refused({{LoadKind::kGravity, 0, 0, LoadPart::kSize, {0, 1}}}),
             "/poses/0/gravity: pose \"other\" has no gravity number 0 (there are 0 in this list)");
-  EXPECT_EQ(refused({{LoadKind::kForce, 1, 0, LoadPart::kX, {0, 1}}, {LoadKind::kForce, 1, 0, LoadPart::kSize, {0, 1}}}),
-            "/poses/1/forces: force 0 is chosen in more than one way (choose it once)");
+  EXPECT_EQ(
+      refused({{LoadKind::kForce, 1, 0, LoadPart::kX, {0, 1}}, {LoadKind::kForce, 1, 0, LoadPart::kSize, {0, 1}}}),
+      "/poses/1/forces: force 0 is chosen in more than one way (choose it once)");
   EXPECT_FALSE(load_space(base, {{LoadKind::kForce, 7, 0, LoadPart::kX, {0, 1}}}));
   EXPECT_FALSE(load_space(base, {{LoadKind::kForce, 1, 0, LoadPart::kX, {1, 2}}}));  // 0.2 N now
   EXPECT_FALSE(load_space(base, {}));

@@ -80,9 +80,9 @@ TEST(NetworkSpaces, RadiiStartFromTheNearestOfTheSpace) {
   const Design design = design_at(space, start);
   // No other radii of the space are nearer: the residual is orthogonal to it.
   const DesignJacobian jacobian = space.jacobian(design, start);
-  const VecX miss = rest_input_values(design.model, design.system) -
-                    rest_input_values(model, base_of(model)->system);
-  EXPECT_LT((jacobian.inputs.transpose() * miss).head(controls).cwiseAbs().maxCoeff(), 1e-9 * miss.cwiseAbs().maxCoeff());
+  const VecX miss = rest_input_values(design.model, design.system) - rest_input_values(model, base_of(model)->system);
+  EXPECT_LT((jacobian.inputs.transpose() * miss).head(controls).cwiseAbs().maxCoeff(),
+            1e-9 * miss.cwiseAbs().maxCoeff());
   // A design of the space is found again.
   const VecX p = uneven(space, 0.02);
   const Design other = design_at(space, p);
@@ -98,13 +98,15 @@ TEST(NetworkSpaces, RestShapesMakeConsistentDesigns) {
       const LinearSpace space = made(rest_shape_space(base, {ControlStage::kThirds, 5e-3}));
       EXPECT_EQ(space.start(), VecX::Zero(space.size()));
       const Design start = design_at(space, space.start());
-      samples::expect_same_numbers(rest_number_values(start.system), rest_number_values(base->system), 1e-15);
+      samples::expect_same_numbers(base->system.structure, rest_number_values(start.system),
+                                   rest_number_values(base->system), 1e-15);
       expect_consistent(space, uneven(space, 0.05));
       // Converted, but not moved by more than nothing: the rods of the base.
       VecX hardly = space.start();
       hardly[7] = 1e-16;
       const Design converted = design_at(space, hardly);
-      samples::expect_same_numbers(rest_number_values(converted.system), rest_number_values(base->system), 1e-12);
+      samples::expect_same_numbers(base->system.structure, rest_number_values(converted.system),
+                                   rest_number_values(base->system), 1e-12);
       expect_consistent(space, hardly);
     }
   }
@@ -140,8 +142,7 @@ TEST(NetworkSpaces, SensitivitiesToRadii) {
 TEST(NetworkSpaces, SensitivitiesToRestShapes) {
   for (const JointKind joints : kJoints) {
     const auto base = base_of(sheet(joints, MaterialAxes::Kind::kJoints));
-    const LinearSpace space =
-        made(rest_shape_space(base, {ControlStage::kThirds, 5e-3, RestShapeGauge::kFree}));
+    const LinearSpace space = made(rest_shape_space(base, {ControlStage::kThirds, 5e-3, RestShapeGauge::kFree}));
     // Ends that are held, ends that are not, and controls between.
     expect_sensitivities(space, uneven(space, 0.03), 0, {0, 1, 2, 20, space.size() - 1}, 0.05);
   }
@@ -185,7 +186,8 @@ TEST(NetworkSpaces, NaturalShapes) {
 
 TEST(NetworkSpaces, TheLengthOfACantilever) {
   Model model;
-  model.rods.push_back(scene_models::round_rod("beam", Polyline{{Vec3(0.1, 0, 0), Vec3(0.3, 0, 0.05)}}, 2e-3, "PLA", 8));
+  model.rods.push_back(
+      scene_models::round_rod("beam", Polyline{{Vec3(0.1, 0, 0), Vec3(0.3, 0, 0.05)}}, 2e-3, "PLA", 8));
   Pose pose;
   pose.name = "loaded";
   pose.supports.push_back(scene_models::hold(scene_models::rod_place("beam", 0), SupportKind::kClamp));
@@ -211,10 +213,9 @@ TEST(NetworkSpaces, TogetherAndTied) {
     const auto base = base_of(sheet(joints, MaterialAxes::Kind::kTransport));
     const auto radii =
         std::make_shared<const LinearSpace>(made(radii_space(base, ControlStage::kMiddle, {1e-3, 4e-3})));
-    const auto shape =
-        std::make_shared<const LinearSpace>(made(rest_shape_space(base, {ControlStage::kEnds, 5e-3})));
-    const auto moduli = std::make_shared<const LinearSpace>(
-        made(youngs_modulus_space(base, ModulusChoice::kPerMaterial, {5e6, 80e6})));
+    const auto shape = std::make_shared<const LinearSpace>(made(rest_shape_space(base, {ControlStage::kEnds, 5e-3})));
+    const auto moduli =
+        std::make_shared<const LinearSpace>(made(youngs_modulus_space(base, ModulusChoice::kPerMaterial, {5e6, 80e6})));
     const SumSpace all = made(SumSpace::make({radii, shape, moduli}));
     ASSERT_EQ(all.size(), radii->size() + shape->size() + 1);
     const VecX p = uneven(all, 0.04);
@@ -230,7 +231,7 @@ TEST(NetworkSpaces, TogetherAndTied) {
     EXPECT_NEAR(factor.start()[0], 1, 1e-12);
     EXPECT_NEAR(factor.parameters()[0].lower, 1e-3 / 1.5e-3, 1e-12);
     EXPECT_NEAR(factor.parameters()[0].upper, 4e-3 / 1.5e-3, 1e-12);
-    expect_consistent(factor, VecX::Constant(1, 4e-3 / 1.5e-3));
+    expect_consistent(factor, VecX::Constant(1, factor.parameters()[0].upper));
     const MappedSpace tied = made(tied_parameters(sum, {{0, 3, 2}, {radii->size() + 1, radii->size() + 5}}));
     EXPECT_EQ(tied.size(), all.size() - 3);
     expect_input_jacobian(tied, uneven(tied, 0.04));
@@ -246,8 +247,7 @@ TEST(NetworkSpaces, SpectralSpacesAskForReach) {
   const auto radii = std::make_shared<const LinearSpace>(made(radii_space(base, ControlStage::kEnds, {1e-3, 4e-3})));
   MatX z(radii->size(), 2);
   for (int i = 0; i < z.rows(); ++i) z.row(i) << std::sin(0.4 * i), std::cos(0.7 * i);
-  const MappedSpace space =
-      made(spectral_space(radii, z, Vec2(1e-4, 1e-4), Vec2(3e-4, 1e-3), "slow direction"));
+  const MappedSpace space = made(spectral_space(radii, z, Vec2(1e-4, 1e-4), Vec2(3e-4, 1e-3), "slow direction"));
   EXPECT_EQ(space.start(), VecX::Zero(2));
   expect_consistent(space, Vec2(2e-4, -1e-4));
   expect_input_jacobian(space, Vec2(2e-4, -1e-4));
@@ -264,7 +264,7 @@ TEST(NetworkSpaces, SpectralSpacesAskForReach) {
 }
 
 TEST(NetworkSpaces, MirrorImagesAreTied) {
-  Model model = scene_models::sheet("sheet", scene_models::hexagons(0.02, 2, 2), 1.5e-3, "TPU 92A", 4);
+  Model model = scene_models::sheet("sheet", scene_models::squares(0.02, 2, 3), 1.5e-3, "TPU 92A", 4);
   const auto base = base_of(model);
   Vec3 middle = Vec3::Zero();
   Eigen::AlignedBox3d box;
@@ -290,7 +290,9 @@ TEST(NetworkSpaces, MirrorImagesAreTied) {
   EXPECT_LT(round.size(), radii->size());
   expect_input_jacobian(round, uneven(round, 0.05));
   const Structure thick = design_at(round, uneven(round, 0.05)).system.structure;
-  const auto centre = [&](const StructureEdge& e) -> Vec3 { return 0.5 * (thick.nodes[e.node0] + thick.nodes[e.node1]); };
+  const auto centre = [&](const StructureEdge& e) -> Vec3 {
+    return 0.5 * (thick.nodes[e.node0] + thick.nodes[e.node1]);
+  };
   int compared = 0;
   for (const StructureEdge& edge : thick.edges) {
     const Vec3 at = centre(edge), image(at.x(), 2 * middle.y() - at.y(), at.z());
@@ -326,8 +328,7 @@ TEST(NetworkSpaces, WhatCannotBeIsNamed) {
   // A rod whose end is moved onto its start.
   Model single;
   single.rods.push_back(scene_models::round_rod("beam", Polyline{{Vec3::Zero(), Vec3(0.1, 0, 0)}}, 1e-3, "PLA", 4));
-  const LinearSpace wide =
-      made(rest_shape_space(base_of(single), {ControlStage::kEnds, 0.2, RestShapeGauge::kFree}));
+  const LinearSpace wide = made(rest_shape_space(base_of(single), {ControlStage::kEnds, 0.2, RestShapeGauge::kFree}));
   VecX far = wide.start();
   far[3] = -0.1;
   const Result<Design> broken = wide.at(far);
