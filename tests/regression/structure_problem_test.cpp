@@ -178,7 +178,7 @@ TEST(StructureProblem, GoesOnFromASavedPointToTheLastBit) {
 TEST(StructureProblem, StartsThatCannotBeAreNamed) {
   Model model = honeycomb(JointKind::kExplicit);
   Selector all;
-  all.kind = Selector::Kind::kEnds;
+  all.kind = Selector::Kind::kAll;
   model.poses[1].forces.push_back({all, Vec3(0, 0, -1e7), false, Scaling::kProportional});
   const std::unique_ptr<StructureProblem> problem = problem_of(model);
   const Status released = problem->release();
