@@ -71,8 +71,9 @@ class Optimize(tool.ToolTest):
 
     def test_a_killed_run_goes_on_to_the_same_bytes(self):
         self.write("beam.lissom", bent(edges=200))
-        self.run_tool("optimize", "beam.lissom", "-o", "whole")
-        run = self.start("optimize", "beam.lissom", "-o", "killed")
+        limit = ("--iterations", "25")  # enough to be killed in
+        self.run_tool("optimize", "beam.lissom", "-o", "whole", *limit, code=12)
+        run = self.start("optimize", "beam.lissom", "-o", "killed", *limit)
         checkpoint = self.folder / "killed/beam-design.checkpoint.json"
         end = time.monotonic() + 120
         while not checkpoint.exists() and time.monotonic() < end:
@@ -80,7 +81,7 @@ class Optimize(tool.ToolTest):
         run.send_signal(signal.SIGKILL)
         run.communicate()
         self.assertTrue(checkpoint.exists())
-        self.run_tool("optimize", "beam.lissom", "-o", "killed", "--resume")
+        self.run_tool("optimize", "beam.lissom", "-o", "killed", "--resume", *limit, code=12)
         self.assertEqual(self.bytes_of("killed"), self.bytes_of("whole"))
 
     def test_a_stopped_run_keeps_its_best(self):
