@@ -31,7 +31,8 @@ std::vector<Vec3> side_nodes(const Model& model, int axis, double sign) {
     for (int k = 0; k <= kEdges; ++k) {
       const Vec3 x = ends[0] + (ends[1] - ends[0]) * k / kEdges;
       if (sign * x[axis] < reach - kMargin * kEdge) continue;
-      const bool known = std::any_of(places.begin(), places.end(), [&](const Vec3& y) { return (x - y).norm() < 1e-6; });
+      const bool known =
+          std::any_of(places.begin(), places.end(), [&](const Vec3& y) { return (x - y).norm() < 1e-6; });
       if (!known) places.push_back(x);
     }
   }

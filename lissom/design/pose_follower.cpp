@@ -10,8 +10,8 @@ namespace lissom {
 Result<std::unique_ptr<PoseFollower>> PoseFollower::make(const Design& design, int pose, const SolveOptions& options,
                                                          const Context& context) {
   std::unique_ptr<PoseFollower> follower(new PoseFollower(design, pose, options));
-  Result<StaticProblem> problem = make_static_problem(design.model, follower->system_, follower->pose_of(design),
-                                                      "/poses/" + std::to_string(pose));
+  Result<StaticProblem> problem =
+      make_static_problem(design.model, follower->system_, follower->pose_of(design), "/poses/" + std::to_string(pose));
   if (!problem) return problem.error();
   follower->problem_ = std::make_unique<StaticProblem>(std::move(problem).value());
   follower->solver_ = std::make_unique<LiveSolver>(*follower->problem_, options, context);
@@ -75,9 +75,8 @@ PoseEnd PoseFollower::attempt(const Design& changed) {
   PoseEnd end = end_of(attempted_, name);
   const Following& following = solver_->following();
   if (end.outcome != Outcome::kSettled || !following.jumped) return end;
-  return {Outcome::kJumped,
-          fmt::format("pose \"{}\" jumped: it moved by {:.3g} mm where {:.3g} mm were predicted", name,
-                      1e3 * following.moved, 1e3 * following.predicted)};
+  return {Outcome::kJumped, fmt::format("pose \"{}\" jumped: it moved by {:.3g} mm where {:.3g} mm were predicted",
+                                        name, 1e3 * following.moved, 1e3 * following.predicted)};
 }
 
 void PoseFollower::accept() {

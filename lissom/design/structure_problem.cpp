@@ -71,9 +71,10 @@ Result<std::unique_ptr<StructureProblem>> StructureProblem::make(std::shared_ptr
   const int all = static_cast<int>(problem->design_.model.poses.size());
   const std::vector<int> poses = poses_of(problem->goals_);
   if (poses.front() < 0 || poses.back() >= all) {
-    return Error{ErrorCode::kUnknown, "/design/goals",
-                 fmt::format("a goal is of pose number {}, there are {}", poses.front() < 0 ? poses.front() : poses.back(), all),
-                 "name one of the poses"};
+    return Error{
+        ErrorCode::kUnknown, "/design/goals",
+        fmt::format("a goal is of pose number {}, there are {}", poses.front() < 0 ? poses.front() : poses.back(), all),
+        "name one of the poses"};
   }
   // One pose may use all threads, several share them out.
   problem->inner_.cancel = context.cancel;
@@ -161,14 +162,16 @@ Status StructureProblem::release(const VecX* p) {
   }
   settle_point();
   if (!std::isfinite(value_)) {
-    return Error{ErrorCode::kRange, "/design/goals", "the goals have no finite value at the start", "check their targets"};
+    return Error{ErrorCode::kRange, "/design/goals", "the goals have no finite value at the start",
+                 "check their targets"};
   }
   return ensure_linear();
 }
 
 Status StructureProblem::restore(const DesignPoint& point) {
   if (point.states.size() != poses_.size() || point.p.size() != size()) {
-    return Error{ErrorCode::kConflict, "", "the saved point is of another design", "resume with the document it was made from"};
+    return Error{ErrorCode::kConflict, "", "the saved point is of another design",
+                 "resume with the document it was made from"};
   }
   Result<Design> design = space_->at(point.p);
   if (!design) return design.error();
@@ -182,7 +185,8 @@ Status StructureProblem::restore(const DesignPoint& point) {
   });
   for (const PoseEnd& end : ends) {
     if (end.outcome != Outcome::kSettled) {
-      return Error{ErrorCode::kConflict, "", "the saved point is not in equilibrium: " + end.reason, "start the run anew"};
+      return Error{ErrorCode::kConflict, "", "the saved point is not in equilibrium: " + end.reason,
+                   "start the run anew"};
     }
   }
   settle_point();
@@ -202,7 +206,8 @@ std::vector<GoalMeasure> StructureProblem::measures() const {
     for (const int g : by_pose_[k]) {
       const Goal& goal = goals_[static_cast<std::size_t>(g)];
       const VecX r = goal_residual(goal, shape_of(design_, static_cast<int>(k), poses_[k]->state()));
-      measures.push_back({goal.name, goal.pose, goal.scale * r.norm() / std::sqrt(goal.weight), goal.objective->unit()});
+      measures.push_back(
+          {goal.name, goal.pose, goal.scale * r.norm() / std::sqrt(goal.weight), goal.objective->unit()});
     }
   }
   return measures;

@@ -22,7 +22,7 @@ struct StructureProblemOptions {
 
 /// All that has to be kept of a point to go on from it: bit for bit.
 struct DesignPoint {
-  VecX p;  ///< SI
+  VecX p;                     ///< SI
   std::vector<State> states;  ///< per pose that has a goal, ascending
 };
 
@@ -40,8 +40,7 @@ class StructureProblem final : public ReducedProblem {
   /// out of bounds. `context` is copied; what it points to has to outlive the problem.
   static Result<std::unique_ptr<StructureProblem>> make(std::shared_ptr<const DesignSpace> space,
                                                         std::vector<Goal> goals, std::vector<ParameterGoal> wishes,
-                                                        const StructureProblemOptions& options,
-                                                        const Context& context);
+                                                        const StructureProblemOptions& options, const Context& context);
 
   /// Finds the equilibria of the start, or of `p`, from the drawn shape. kBadStart-like errors name the pose.
   Status release(const VecX* p = nullptr);
@@ -90,8 +89,8 @@ class StructureProblem final : public ReducedProblem {
   void ensure_dense();
 
   std::shared_ptr<const DesignSpace> space_;
-  std::vector<Goal> goals_;             // as given
-  std::vector<Goal> effective_;         // with multipliers in targets and weights
+  std::vector<Goal> goals_;                // as given
+  std::vector<Goal> effective_;            // with multipliers in targets and weights
   std::vector<std::vector<int>> by_pose_;  // goals of each entry of poses_
   std::vector<ParameterGoal> wishes_;
   StructureProblemOptions options_;

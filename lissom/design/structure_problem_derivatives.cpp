@@ -19,9 +19,8 @@ Status StructureProblem::ensure_linear() {
     std::vector<const Goal*> goals;
     for (const int g : by_pose_[i]) goals.push_back(&effective_[static_cast<std::size_t>(g)]);
     PoseFollower& pose = *poses_[i];
-    Result<PoseLinearization> linear =
-        PoseLinearization::make({design_, *space_, p_, jacobian_, pose.pose(), pose.problem(), pose.state()},
-                                pose.factor(), std::move(goals));
+    Result<PoseLinearization> linear = PoseLinearization::make(
+        {design_, *space_, p_, jacobian_, pose.pose(), pose.problem(), pose.state()}, pose.factor(), std::move(goals));
     if (linear) {
       made[i].emplace(std::move(linear).value());
     } else {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lissom/session/document_file.h"
-#include "lissom/session/numbers_json.h"
 #include "lissom/session/layout_json.h"
+#include "lissom/session/numbers_json.h"
 #include "lissom/session/optimizer_json.h"
 #include "lissom/session/state_json.h"
 

@@ -104,7 +104,8 @@ void expect_derivatives(JointKind joints) {
   const DesignPoint point = problem->point();
 
   // Dense and matrix-free derivatives agree.
-  EXPECT_LT((problem->gram() * v - problem->jacobian_transposed_times(along)).norm(), 1e-9 * (problem->gram() * v).norm());
+  EXPECT_LT((problem->gram() * v - problem->jacobian_transposed_times(along)).norm(),
+            1e-9 * (problem->gram() * v).norm());
   EXPECT_LT((problem->jacobian_transposed_times(problem->residual()) - gradient).norm(), 1e-9 * gradient.norm());
 
   // Against equilibria solved again: central differences, extrapolated once.
