@@ -85,7 +85,7 @@ class GoalMaker {
       return Error{ErrorCode::kConflict, where_, "a direction goes from a node to itself", "name two nodes"};
     }
     if (wish.axis) {
-      if (const Status s = check_held({ends.begin(), ends.end()}); !s) return s;
+      if (Status s = check_held({ends.begin(), ends.end()}); !s) return s;
     }
     made.goal.objective = make_angle(ends, wish.axis);
     return wanted(wish.wanted);

@@ -42,7 +42,7 @@ Status share_out(std::vector<M>& materials, const std::vector<User>& users, cons
   for (const auto& [name, all] : by_material) {
     if (std::none_of(all.begin(), all.end(), changed)) continue;
     const M original = *known(name);
-    const bool alike = std::all_of(all.begin(), all.end(), [&](int u) { return same(u, all[0]); });
+    const bool alike = std::all_of(all.begin(), all.end(), [&, first = all[0]](int u) { return same(u, first); });
     for (const int u : all) {
       M* material = nullptr;
       if (alike) {
