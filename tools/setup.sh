@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing from Debian's packages. Asks nothing, may be run any number of times.
-#   tools/setup.sh [build | test | ci]     each list contains the one before; default: build
+#   tools/setup.sh [build | test | ci | bench]     test and ci contain the ones before; default: build
+#   bench: build, and optimisers of others that benches measure ours by
 set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
@@ -12,13 +13,15 @@ build_packages=(
 )
 test_packages=(python3-numpy python3-jsonschema python3-meshio)
 ci_packages=(clang-format-14 clang-tidy-14)
+bench_packages=(coinor-libipopt-dev libalglib-dev)
 
 case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   ci) wanted=("${build_packages[@]}" "${test_packages[@]}" "${ci_packages[@]}") ;;
+  bench) wanted=("${build_packages[@]}" "${bench_packages[@]}") ;;
   *)
-    echo "tools/setup.sh: unknown list '$1'; choose build, test or ci" >&2
+    echo "tools/setup.sh: unknown list '$1'; choose build, test, ci or bench" >&2
     exit 2
     ;;
 esac

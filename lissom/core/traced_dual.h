@@ -73,7 +73,7 @@ class Tape {
 class TracedDual : public HyperDual {
  public:
   TracedDual() = default;
-  TracedDual(double value) : HyperDual{value} {}  // NOLINT(google-explicit-constructor): constants mix freely with duals
+  TracedDual(double value) : HyperDual{value} {}  // NOLINT(google-explicit-constructor): constants mix freely
 
   TracedDual& operator+=(const TracedDual& o) { return *this = *this + o; }
   TracedDual& operator-=(const TracedDual& o) { return *this = *this - o; }

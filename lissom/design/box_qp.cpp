@@ -1,39 +1,18 @@
 #include "lissom/design/box_qp.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "lissom/core/assert.h"
+#include "lissom/design/free_factor.h"
 
 namespace lissom {
 
 namespace {
 
 constexpr double kArmijo = 1e-4;
-constexpr double kLeastDamping = 1e-10, kDampingGrowth = 10;  // of the largest diagonal entry
 
 VecX clipped(const VecX& x, const VecX& lower, const VecX& upper) { return x.cwiseMax(lower).cwiseMin(upper); }
-
-double value(const MatX& b, const VecX& g, const VecX& x) { return x.dot(0.5 * (b * x) + g); }
-
-/// Newton step of the free parameters; raises the damping until their part of B is positive definite.
-VecX newton_step(const MatX& b, const VecX& gradient, const std::vector<int>& free, double largest, double& damping) {
-  const int n = static_cast<int>(free.size());
-  MatX part(n, n);
-  VecX right(n);
-  for (int i = 0; i < n; ++i) {
-    right[i] = -gradient[free[i]];
-    for (int j = 0; j < n; ++j) part(i, j) = b(free[i], free[j]);
-  }
-  for (;;) {
-    MatX damped = part;
-    damped.diagonal().array() += damping;
-    const Eigen::LLT<MatX> factor(damped);
-    if (factor.info() == Eigen::Success) return factor.solve(right);
-    damping = std::max(kDampingGrowth * damping, kLeastDamping * largest);
-  }
-}
 
 }  // namespace
 
@@ -47,10 +26,12 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
   out.x = clipped(VecX::Zero(m), lower, upper);
   const double largest = std::max(b.diagonal().cwiseAbs().maxCoeff(), 1e-300);
   const double small = tolerance * std::max(g.cwiseAbs().maxCoeff(), 1e-300);
-  VecX gradient(m);
+  FreeFactor factor;
+  std::vector<int> free;
+  VecX image = b * out.x, gradient(m);
   for (;; ++out.iterations) {
-    gradient = b * out.x + g + out.damping * out.x;
-    std::vector<int> free;
+    gradient = image + g + out.damping * out.x;
+    free.clear();
     double left = 0;  // of the gradient, in what may still move along it
     for (int i = 0; i < m; ++i) {
       const bool low = out.x[i] <= lower[i] && gradient[i] >= 0, high = out.x[i] >= upper[i] && gradient[i] <= 0;
@@ -65,20 +46,21 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
       return out;
     }
     if (out.iterations >= max_iterations) return out;
-    const double damping_before = out.damping;
-    const VecX step = newton_step(b, gradient, free, largest, out.damping);
-    if (out.damping > damping_before) gradient += (out.damping - damping_before) * out.x;
-    MatX damped = b;
-    damped.diagonal().array() += out.damping;
-    const double before = value(damped, g, out.x);
+    factor.prepare(b, free, largest);
+    out.factorizations = factor.factorizations();
+    gradient += (factor.damping() - out.damping) * out.x;
+    out.damping = factor.damping();
+    const VecX step = factor.solve(-gradient);
     bool moved = false;
     for (double a = 1; a > 1e-12 && !moved; a *= 0.5) {
-      VecX trial = out.x;
-      for (int k = 0; k < static_cast<int>(free.size()); ++k) trial[free[k]] += a * step[k];
-      trial = clipped(trial, lower, upper);
-      moved = value(damped, g, trial) <= before + kArmijo * gradient.dot(trial - out.x);
-      if (moved) moved = trial != out.x;
-      if (moved) out.x = trial;
+      const VecX trial = clipped(out.x + a * step, lower, upper), move = trial - out.x;
+      const VecX moved_image = b * move;
+      // The change of the damped model, without the cancellation in the difference of two values.
+      const double slope = gradient.dot(move), change = slope + 0.5 * move.dot(moved_image + out.damping * move);
+      moved = change <= kArmijo * slope && trial != out.x;
+      if (!moved) continue;
+      out.x = trial;
+      image += moved_image;
     }
     if (!moved) {  // rounding
       out.converged = left <= 1e3 * small;

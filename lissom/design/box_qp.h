@@ -13,6 +13,7 @@ struct BoxQpSolution {
   double projected_gradient = 0;  ///< largest entry of the gradient that no bound holds
   double damping = 0;             ///< added to the diagonal because B was not positive definite on the free parameters
   int iterations = 0;
+  int factorizations = 0;
   bool converged = false;
 };
 

@@ -38,6 +38,10 @@ class DesignSpace {
   /// or where p is not finite; kConflict where p would need other nodes, joints or triangles.
   virtual Result<Design> at(const VecX& p) const = 0;
 
+  /// The same changes made to a design of the same nodes, joints and triangles that other spaces have changed before; what
+  /// they changed and this space does not claim stays. kUnsupported for spaces that cannot be combined.
+  virtual Result<Design> applied(Design design, const VecX& p) const;
+
   virtual DesignJacobian jacobian(const Design& design, const VecX& p) const = 0;
 
   /// The second-order part: d/de [ (d inputs/dp)' y ] along p + e v, with y over RestInputs (m). Zero for linear spaces.

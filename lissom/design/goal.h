@@ -28,11 +28,45 @@ struct Goal {
   std::shared_ptr<const Objective> objective;
   GoalKind kind = GoalKind::kReach;
   GoalForce force = GoalForce::kSoft;
-  VecX target;        ///< SI, (objective size)
-  VecX weights;       ///< (objective size); of every place they sum up to a share of 1, so that |r| scale is a root mean square
+  VecX target;  ///< SI, (objective size)
+  VecX
+      weights;  ///< (objective size); of every place they sum up to a share of 1, so that |r| scale is a root mean square
   double scale = 1;   ///< SI, Objective::scale
   double weight = 1;  ///< against the other goals
 };
+
+/// Weights of components from those of places, `components` of each in a row: the weights of the places sum up to 1. kRange,
+/// with `where` + "/7", for a weight that is negative or not finite, and with `where` where all are 0 or there is none.
+Result<VecX> weights_of_places(const VecX& places, int components, const std::string& where);
+
+/// kRange or kConflict, with `where` + "/target/7" and the like, for numbers that are not finite, sizes that differ from that
+/// of the objective, weights that are negative or all 0, and a scale or a weight that is not positive.
+Status check_goal(const Goal& goal, const std::string& where);
+
+/// kUnsupported, with the name of the goal, where exact second derivatives are not known.
+Status check_curvature(const Goal& goal);
+
+/// sqrt(weight weights_i) (c_i - target_i) / scale, (objective size), whatever the kind.
+VecX goal_deviation(const Goal& goal, const PoseShape& shape);
+
+/// The part of a deviation that counts: all of it, its positive or its negative part.
+VecX goal_residual(GoalKind kind, const VecX& deviation);
+VecX goal_residual(const Goal& goal, const PoseShape& shape);
+
+/// Derivatives of the residual, (objective size x unknowns, global axes) and (x RestNumbers::size): 0 where nothing counts.
+/// The square of the residual has continuous first derivatives.
+void goal_jacobian(const Goal& goal, const PoseShape& shape, SparseRows& by_q, SparseRows& by_numbers);
+
+/// Which part of the second derivatives of 1/2 |r|^2.
+enum class SecondOrder {
+  kGaussNewton,  ///< J'J
+  kExact,        ///< J'J + sum r_i r_i''
+};
+
+/// Adds the change of the gradient of 1/2 |r|^2 along unknowns dq (global axes) and rest numbers dn. kExact asks for goals
+/// that pass check_curvature.
+void add_goal_second_order(const Goal& goal, const PoseShape& shape, SecondOrder part, const VecX& dq, const VecX& dn,
+                           VecX& by_q, VecX& by_numbers);
 
 /// Residuals r = sqrt(weight) rows (p - target) / scale: smooth parameters, or few changes. `scale` is in the rows.
 struct ParameterGoal {

@@ -44,10 +44,11 @@ Result<NetworkRadii> NetworkRadii::make(const Model& model, const Structure& str
   NetworkRadii out(std::move(controls).value());
   out.weights_ = out.controls_.edge_weights(structure);
   for (const StructureRod& rod : structure.rods) out.rod_edges_.push_back(rod.edges);
-  for (const char* axis : {"r_n", "r_b"}) {
+  for (int axis = 0; axis < 2; ++axis) {
     for (int c = 0; c < out.controls_.size(); ++c) {
-      out.parameters_.push_back({ParameterKind::kRadius, fmt::format("{}: {}", out.controls_.name(c, structure), axis),
-                                 range[0], range[1], kScale * (range[1] - range[0])});
+      out.parameters_.push_back(
+          {ParameterKind::kRadius, fmt::format("{}: {}", out.controls_.name(c, structure), axis == 0 ? "r_n" : "r_b"),
+           range[0], range[1], kScale * (range[1] - range[0]), out.controls_.place(c, structure), axis});
     }
   }
   return out;
@@ -69,14 +70,7 @@ MatX NetworkRadii::edge_extents(const VecX& p) const {
 
 Result<Model> NetworkRadii::model_at(const Model& model, const VecX& p) const {
   LISSOM_ASSERT(p.size() == size() && model.rods.size() == rod_edges_.size());
-  for (int i = 0; i < size(); ++i) {
-    const Parameter& parameter = parameters_[i];
-    if (p[i] >= parameter.lower && p[i] <= parameter.upper) continue;
-    return Error{ErrorCode::kRange, "/rods",
-                 fmt::format("{} is {:g} mm, outside of {:g} to {:g} mm", parameter.name, 1e3 * p[i],
-                             1e3 * parameter.lower, 1e3 * parameter.upper),
-                 "stay within the bounds, or widen them"};
-  }
+  if (Status s = check_bounds(parameters_, p); !s) return s.error();
   const MatX extents = edge_extents(p);
   Model changed = model;
   for (std::size_t r = 0; r < rod_edges_.size(); ++r) {
@@ -119,6 +113,28 @@ VecX NetworkRadii::prolonged(const VecX& p, const NetworkRadii& finer) const {
   VecX fine(finer.size());
   fine << map * p.head(controls_.size()), map * p.tail(controls_.size());
   return fine;
+}
+
+Result<LinearSpace> radii_space(std::shared_ptr<const Design> base, ControlStage stage, const Vec2& range) {
+  const Structure& structure = base->system.structure;
+  const Result<NetworkRadii> made = NetworkRadii::make(base->model, structure, stage, range);
+  if (!made) return made.error();
+  const NetworkRadii& radii = made.value();
+  const SparseMatrix weights = radii.controls().edge_weights(structure);
+  const int controls = radii.controls().size(), edges = static_cast<int>(structure.edges.size());
+  VecX start(radii.size());
+  for (int axis = 0; axis < 2; ++axis) {
+    VecX extents(edges);
+    for (int e = 0; e < edges; ++e) {
+      const Section& section = structure.edges[static_cast<std::size_t>(e)].section;
+      extents[e] = axis == 0 ? section.r_n : section.r_b;
+    }
+    start.segment(axis * controls, controls) =
+        least_squares(weights, extents, VecX::Constant(controls, extents.mean()));
+  }
+  start = start.cwiseMax(range[0]).cwiseMin(range[1]);
+  return LinearSpace::make(std::move(base), {radii.parameters().begin(), radii.parameters().end()}, std::move(start),
+                           {radii.rest_inputs(structure), {}}, LinearSpace::Offset::kZero);
 }
 
 }  // namespace lissom

@@ -2,10 +2,12 @@
 /// The radii of a rod network as design parameters: both half-extents of the sections at the controls of its rods
 /// [mathematics 6.1]. What a flexible rod mesh is tuned by.
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "lissom/core/result.h"
+#include "lissom/design/linear_space.h"
 #include "lissom/design/parameter.h"
 #include "lissom/design/rod_controls.h"
 #include "lissom/mechanics/system.h"
@@ -48,5 +50,9 @@ class NetworkRadii {
   std::vector<std::vector<int>> rod_edges_;
   std::vector<Parameter> parameters_;
 };
+
+/// The same as a design space. Its start is the nearest that the controls can come to the present radii (least squares over
+/// the edges, within the range): the design there is the base itself where radii are constant or were made by such a space.
+Result<LinearSpace> radii_space(std::shared_ptr<const Design> base, ControlStage stage, const Vec2& range);
 
 }  // namespace lissom

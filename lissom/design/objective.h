@@ -43,6 +43,9 @@ class Objective {
   /// (size x unknowns), and d c / d rest numbers at fixed q, (size x RestNumbers::size).
   virtual void jacobian(const PoseShape& shape, SparseRows& by_q, SparseRows& by_numbers) const = 0;
 
+  /// Whether `curvature` is known. Where it is not, methods that need exact second derivatives have to refuse the objective.
+  virtual bool has_curvature() const { return true; }
+
   /// Second-order product: the change of (d c/d q)' y and (d c/d numbers)' y along q + e dq, numbers + e dn, as of the
   /// function anchored at the state. Adds to `by_q` (unknowns) and `by_numbers` (RestNumbers::size).
   virtual void curvature(const PoseShape& shape, const VecX& y, const VecX& dq, const VecX& dn, VecX& by_q,

@@ -85,6 +85,10 @@ Result<PlanSpace> PlanSpace::make(const Model& model, const PlanSpaceOptions& op
     space.slots_.push_back(slot);
     space.parameters_.push_back(
         {slot.kind, std::move(name), std::min(range[0], value), std::max(range[1], value), scale});
+    if (slot.point < 0) return;
+    const Vec2& at = plan.points[static_cast<std::size_t>(slot.point)].at;
+    space.parameters_.back().at = Vec3(at.x(), at.y(), 0);
+    space.parameters_.back().axis = slot.axis;
   };
   for (std::size_t i = 0; i < plan.points.size() && options.radii == Choice::kFree; ++i) {
     if (!chosen.value()[i] || !printed[i]) continue;
@@ -184,7 +188,10 @@ SparseMatrix PlanSpace::rest_inputs(const Model& model, const PlanMesh& mesh, co
         } else {
           entries.emplace_back(inputs.pre_stretch(fabric, slot.axis), k, 1);
         }
+        break;
       }
+      default:  // a plan has no others
+        LISSOM_ASSERT(false);
     }
   }
   if (std::any_of(position_slot.begin(), position_slot.end(), [](int k) { return k >= 0; })) {
@@ -222,6 +229,29 @@ SparseMatrix PlanSpace::rest_inputs(const Model& model, const PlanMesh& mesh, co
   SparseMatrix matrix(inputs.size(), size());
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+VecX PlanSpace::curvature(const Model& model, const PlanMesh& mesh, const System& system, const VecX& y,
+                          const VecX& v) const {
+  VecX result = VecX::Zero(size());
+  if (mesh.map().linear()) return result;
+  const RestInputs inputs(system.structure);
+  const std::vector<int>& node_of = system.structure.membranes.back().nodes;  // of the fabric, by vertex
+  const MatX controls = control_positions(*model.plan);
+  MatX on_vertices(mesh.map().vertices(), 2), along = MatX::Zero(controls.rows(), 2);
+  for (int i = 0; i < mesh.map().vertices(); ++i) {
+    for (int d = 0; d < 2; ++d) on_vertices(i, d) = y[inputs.position(node_of[static_cast<std::size_t>(i)]) + d];
+  }
+  const auto each_position = [&](const auto& f) {
+    for (int k = 0; k < size(); ++k) {
+      const Slot& slot = slots_[static_cast<std::size_t>(k)];
+      if (slot.kind == ParameterKind::kPosition) f(k, slot.point, slot.axis);
+    }
+  };
+  each_position([&](int k, int point, int axis) { along(point, axis) = v[k]; });
+  const MatX change = mesh.map().position_curvature(controls, on_vertices, along);
+  each_position([&](int k, int point, int axis) { result[k] = change(point, axis); });
+  return result;
 }
 
 }  // namespace lissom

@@ -46,6 +46,10 @@ class PlanSpace {
   /// d rest inputs / d p, (RestInputs::size x size()), of the plan of `model` on `mesh`, discretised to `system`.
   SparseMatrix rest_inputs(const Model& model, const PlanMesh& mesh, const System& system) const;
 
+  /// d/de [ (d inputs / d p)' y ] along p + e v, y over RestInputs: what arcs contribute. Radii are linear in pieces, and
+  /// pre-stretches are inputs themselves.
+  VecX curvature(const Model& model, const PlanMesh& mesh, const System& system, const VecX& y, const VecX& v) const;
+
  private:
   /// What a parameter is in the plan.
   struct Slot {

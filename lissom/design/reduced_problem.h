@@ -68,6 +68,8 @@ class ReducedProblem {
   /// and holds being negative.
   virtual int constraints() const { return 0; }
   virtual VecX constraint_values() const { return {}; }
+  /// Whether constraint i wants c <= 0; else c = 0.
+  virtual bool is_inequality(int i) const { return (void)i, false; }
   /// Changes r, h and derivatives of the point. Multipliers of inequalities are >= 0.
   virtual void set_multipliers(const VecX& multipliers, double penalty) { (void)multipliers, (void)penalty; }
 

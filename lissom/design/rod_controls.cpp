@@ -69,6 +69,16 @@ std::string RodControls::name(int control, const Structure& structure) const {
   return fmt::format("rod \"{}\" at {}/{}", structure.rods[c.rod].name, std::lround(c.at * pieces), pieces);
 }
 
+Vec3 RodControls::place(int control, const Structure& structure) const {
+  const Control& c = controls_[control];
+  if (c.node >= 0) return structure.nodes[c.node];
+  const std::vector<int>& nodes = structure.rods[c.rod].nodes;
+  const double u = c.at * (static_cast<double>(nodes.size()) - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(u), nodes.size() - 2);
+  const double s = u - static_cast<double>(k);
+  return (1 - s) * structure.nodes[nodes[k]] + s * structure.nodes[nodes[k + 1]];
+}
+
 std::vector<int> RodControls::along(int rod) const {
   const int between = static_cast<int>(stage_) - 2;
   std::vector<int> numbers{rod_ends_[rod][0]};

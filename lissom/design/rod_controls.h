@@ -37,6 +37,8 @@ class RodControls {
   ControlStage stage() const { return stage_; }
   /// "end at node 12", "rod \"rib\" at 1/3".
   std::string name(int control, const Structure& structure) const;
+  /// m, where it is drawn; between nodes on the edge.
+  Vec3 place(int control, const Structure& structure) const;
 
   /// Value at the middle of each edge, (edges x size). Values can leave the range of their controls by 12.5 % of its width.
   SparseMatrix edge_weights(const Structure& structure) const;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "lissom/core/types.h"
 
@@ -32,17 +33,31 @@ struct SecantStep {
   MatX gram;               ///< S_k' S_k
 };
 
+/// What an approximation consists of, to be kept between iterations and sessions.
+struct SecantMemory {
+  MatX second;            ///< D; of kBfgs the whole
+  bool has_step = false;  ///< of kBfgs
+  int resets = 0;
+};
+
 class SecantHessian {
  public:
   /// For `parameters` parameters, in units in which they compare with each other.
   SecantHessian(SecantRule rule, int parameters);
+  SecantHessian(SecantRule rule, SecantMemory memory);
 
   /// Takes a step in. One that tells nothing, or would spoil the approximation, resets it instead: see `resets`.
   void learn(const SecantStep& step);
   /// The approximation at a point with this S'S.
   MatX at(const MatX& gram) const;
   void forget();
-  int resets() const { return resets_; }
+  int resets() const { return memory_.resets; }
+  /// Whether `at` looks at J'J, which costs as many solves as there are parameters.
+  bool needs_gram() const { return rule_ != SecantRule::kBfgs || !memory_.has_step; }
+  /// Whether anything beyond J'J is known.
+  bool has_memory() const { return memory_.has_step || (memory_.second.array() != 0).any(); }
+  const SecantMemory& memory() const { return memory_; }
+  SecantMemory take_memory() && { return std::move(memory_); }
 
  private:
   void reset();
@@ -51,9 +66,7 @@ class SecantHessian {
   void dennis_gay_welsch(const SecantStep& s);
 
   SecantRule rule_;
-  MatX second_;            // D; of kBfgs the whole
-  bool has_step_ = false;  // of kBfgs
-  int resets_ = 0;
+  SecantMemory memory_;
 };
 
 }  // namespace lissom

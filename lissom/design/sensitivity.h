@@ -1,25 +1,28 @@
 #pragma once
 /// How an equilibrium answers to a change of its design, to first order: with S = dq/dp, products S v and S' w by one back
-/// solve each, and S itself where it is small enough [mathematics 5.1].
+/// solve each, and S itself where it is small enough [mathematics 5.1]. Parameters act through rest inputs, rest numbers,
+/// loads and what is held; soft pins without a target follow the drawing.
 
-#include <span>
-
-#include "lissom/core/context.h"
 #include "lissom/core/linear_solver.h"
 #include "lissom/core/result.h"
+#include "lissom/design/design_space.h"
 #include "lissom/equilibrium/static_problem.h"
 
 namespace lissom {
 
-/// The factor of the Hessian has to be that of the equilibrium, without a shift, and has to outlive the sensitivity.
+/// Problem and factor have to outlive the sensitivity; the factor has to be that of the Hessian of the equilibrium, without a
+/// shift.
 class Sensitivity {
  public:
-  /// `inputs`: d rest inputs / d p, (RestInputs::size x m). kUnsupported where the pose moves what it holds by amounts that
-  /// depend on the drawing.
+  /// Of pose number `pose` of the model; `jacobian` is that of the design space there. kUnsupported where the pose moves what
+  /// it holds by amounts that depend on the drawing.
+  static Result<Sensitivity> make(const Model& model, int pose, const StaticProblem& problem, const State& equilibrium,
+                                  const LinearSolver& factor, const DesignJacobian& jacobian);
+  /// The same where parameters act on rest inputs alone: `inputs` is d rest inputs / d p, (RestInputs::size x m).
   static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
                                   const State& equilibrium, const LinearSolver& factor, const SparseMatrix& inputs);
 
-  int parameters() const { return static_cast<int>(by_parameters_.cols()); }
+  int parameters() const { return static_cast<int>(numbers_.cols()); }
 
   /// S v: increments of all unknowns in global axes, for a change v of the parameters.
   VecX forward(const VecX& v) const;
@@ -28,15 +31,34 @@ class Sensitivity {
   /// S, (unknowns x m), global axes.
   MatX dense() const;
 
-  /// d gradient / d p over all unknowns in local axes at fixed unknowns, (unknowns x m).
-  const MatX& gradient_by_parameters() const { return by_parameters_; }
+  /// d rest numbers / d p, followed by d load numbers / d p, (RestNumbers::size + LoadNumbers::size x m).
+  const SparseMatrix& numbers() const { return numbers_; }
+  /// d gradient / d numbers at fixed unknowns, (unknowns x numbers), rows in local axes.
+  const SparseMatrix& gradient_by_numbers() const { return by_numbers_; }
+  /// d held unknowns / d p, (unknowns x m), rows in local axes; no columns where nothing that is held moves.
+  const SparseMatrix& held() const { return held_; }
+  enum class Side { kForward, kTransposed };
+  /// (H + N)^-1 w, or that of the transpose, over the unknowns that are free, 0 for those that are held; local axes in and
+  /// out. N: what turning a joint does to the gradient of all else there that the symmetric H leaves out, where moments with
+  /// fixed axes act [docs/energies/loads.md]; else 0.
+  VecX back_solve(const VecX& w, Side side) const;
+  /// H w, local axes in and out.
+  VecX hessian_times(const VecX& w) const;
 
  private:
+  void solve(VecX& x, Side side) const;
+  void set_moments(const Pose& pose, const State& equilibrium);
+  static Result<Sensitivity> make(const Model& model, const Pose& pose, const StaticProblem& problem,
+                                  const State& equilibrium, const LinearSolver& factor, const DesignJacobian& jacobian,
+                                  const PoseJacobian& own);
+
   const StaticProblem* problem_ = nullptr;
   const LinearSolver* factor_ = nullptr;
-  MatX by_parameters_;
-  MatX held_;   ///< what held unknowns do, (unknowns x m), local axes; no columns where nothing that is held moves
-  MatX right_;  ///< (free unknowns x m): minus the forces that the change of p brings about
+  SparseMatrix numbers_, by_numbers_, held_;
+  SparseMatrix forces_;          // d gradient / d p at fixed free unknowns, (unknowns x m), local axes
+  std::vector<int> turned_;      // free unknowns on which N acts
+  MatX skew_, reach_;            // N on these, and H^-1 of their unit vectors (free unknowns x turned)
+  std::vector<double> hessian_;  // values in the order of the potential's pattern
 };
 
 }  // namespace lissom

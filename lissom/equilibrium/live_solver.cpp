@@ -67,6 +67,14 @@ Equilibrium LiveSolver::settle(const State& start, double load_factor) {
   return descend(std::move(result), FirstStep::kNewton);
 }
 
+bool LiveSolver::take_up(const State& equilibrium) {
+  if (minimizer_) minimizer_->forget();
+  following_ = {};
+  remember_strains(equilibrium);
+  workspace_.assemble(equilibrium);
+  return workspace_.factorize(0).positive_definite;
+}
+
 Equilibrium LiveSolver::resettle(const State& before) {
   Equilibrium result;
   factorizations_before_ = workspace_.factorizations();

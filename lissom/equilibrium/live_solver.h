@@ -34,6 +34,16 @@ class LiveSolver {
   /// its load factor: first-order prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
   Equilibrium resettle(const State& before);
 
+  /// Stands at an equilibrium of the present numbers, found before: makes its factor and forgets all other history, so that what
+  /// `resettle` does next depends on this state alone. False where its Hessian is not positive definite.
+  [[nodiscard]] bool take_up(const State& equilibrium);
+
+  /// The factor of the last state that was found stable or taken up.
+  LinearSolver& factor() { return workspace_.factor(); }
+  /// Whether there is one, without a shift.
+  bool stands() const { return workspace_.has_plain_factor(); }
+  int factorizations() const { return workspace_.factorizations(); }
+
   /// To be called after the terms of the problem's potential were replaced.
   void renew_terms();
 

@@ -41,6 +41,9 @@ class Minimizer {
   /// To be called when the terms of the potential were replaced.
   void renew_terms();
 
+  /// Forgets what runs before have taught, so that the next one depends on its arguments and on the factor at hand alone.
+  void forget() { shift_ = ShiftPolicy(options_.shift); }
+
   /// m, root mean square over nodes of the last first-order prediction, whole; 0 when the last run made none.
   double predicted_move() const { return predicted_move_; }
 

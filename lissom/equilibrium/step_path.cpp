@@ -78,7 +78,10 @@ bool StepPathPolicy::rotate(double a, VecX& increment) {
     };
     const Vec3 linear = edge_of(increment);
     const Vec3 turn = now.t.cross(linear) / now.length;
-    const double length = now.length + a * now.t.dot(edge_of(d_));
+    // A prediction knows lengths to first order in new rest lengths only, which is not enough for stiff rods.
+    const double change =
+        arrival_.empty() ? now.t.dot(edge_of(d_)) : (1 + arrival_[e]) * system.rest.edges[e].length - now.length;
+    const double length = now.length + a * change;
     if (!(length > 0.1 * now.length)) return false;
     const Vec3 wanted = length * (rotation_from_vector(turn) * now.t);
     // Residual of the fit at the straight trial.

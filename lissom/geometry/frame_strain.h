@@ -54,4 +54,25 @@ T twist(const FrameT<T>& first, const FrameT<T>& second, double near) {
   return angle + T(2 * std::numbers::pi * turns);
 }
 
+/// The frame that makes these strains with `first`: the inverse of curvature() and twist(). By the negative strains it goes
+/// back.
+template <class T>
+FrameT<T> advanced(const FrameT<T>& first, const Curvature<T>& strain, const T& twist) {
+  using std::cos;
+  using std::sin;
+  // Averaging two normals that differ by the twist shortens them by cos(twist / 2), and turns them half-way.
+  const T half = twist * T(0.5), c = cos(half), s = sin(half);
+  const Vec3T<T> n0 = first.n();
+  const Vec3T<T> b = first.b * c + n0 * s, n = n0 * c - first.b * s;
+  const Vec3T<T> kb = (n * strain.kappa_1 - b * strain.kappa_2) * (T(1) / c);
+  // The rotation by 2 arctan(|kb| / 2) about kb.
+  const T share = T(1) / (T(1) + kb.dot(kb) * T(0.25));
+  const auto bent = [&](const Vec3T<T>& x) -> Vec3T<T> {
+    const Vec3T<T> once = kb.cross(x), again = kb.cross(once);
+    return x + (once + again * T(0.5)) * share;
+  };
+  const FrameT<T> turned{bent(first.t), bent(first.b)};
+  return {turned.t, turned.b * cos(twist) + turned.n() * sin(twist)};
+}
+
 }  // namespace lissom

@@ -16,7 +16,12 @@ constexpr Builder kOfPose[] = {add_gravity, add_line_loads, add_edge_loads, add_
 }  // namespace
 
 Result<EnergyTerms> make_terms(const Model& model, const System& system, const Pose* pose, const std::string& where) {
-  const EnergySource source{model, system, pose, where, RestNumbers(system.structure)};
+  const EnergySource source{model,
+                            system,
+                            pose,
+                            where,
+                            RestNumbers(system.structure),
+                            LoadNumbers(pose != nullptr ? *pose : Pose{}, system.structure)};
   EnergyTerms terms;
   for (const Builder build : kElastic) {
     const Status status = build(source, terms);

@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "lissom/mechanics/corotational_joints.h"
+#include "lissom/mechanics/energies.h"
 #include "lissom/mechanics/energy_builders.h"
+#include "lissom/mechanics/joint_corotational.h"
 #include "lissom/mechanics/joint_explicit.h"
 #include "lissom/mechanics/membrane_bend.h"
 #include "lissom/mechanics/membrane_stretch.h"
@@ -9,6 +13,12 @@
 #include "lissom/mechanics/rod_stretch.h"
 
 namespace lissom {
+
+bool is_elastic(std::string_view name) {
+  constexpr std::string_view kElastic[] = {RodStretch::kName,           RodBendTwist::kName,    JointExplicit::kName,
+                                           JointCorotational<2>::kName, MembraneStretch::kName, MembraneBend::kName};
+  return std::find(std::begin(kElastic), std::end(kElastic), name) != std::end(kElastic);
+}
 
 Status add_rod_stretch(const EnergySource& source, EnergyTerms& terms) {
   RodStretch energy;

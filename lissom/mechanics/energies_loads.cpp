@@ -14,6 +14,11 @@ RestLinks ascending(RestLinks links) {
   return links;
 }
 
+/// Three rest quantities from `entry` on that are the load numbers from `load` on.
+void link_three(const EnergySource& source, RestLinks& links, int entry, int load, double factor = 1) {
+  for (int i = 0; i < 3; ++i) links.push_back({entry + i, source.load_number(load + i), factor});
+}
+
 /// Loads per length, lumped on nodes by half of each edge that they act on.
 class LineLoadBuilder {
  public:
@@ -28,15 +33,17 @@ class LineLoadBuilder {
     }
   }
 
-  /// Makes the stencils of the edges taken since the last load; false when there are none.
-  bool finish_load(const Vec3& force_per_length, Scaling scaling) {
+  /// Makes the stencils of the edges taken since the last load, whose numbers start at `load`; false when there are none.
+  bool finish_load(const Vec3& force_per_length, Scaling scaling, int load) {
     bool any = false;
     for (int i = 0; i < static_cast<int>(length_.size()); ++i) {
       if (length_[i] == 0) continue;
       any = true;
-      const int entry = static_cast<int>(energy_.stencils.size());
+      const int entry = NodeLineLoad::kRest * static_cast<int>(energy_.stencils.size());
       for (const int number : links_at_[i]) links_.push_back({entry, number, 0.5});
-      energy_.stencils.push_back({source_.node_dofs(i), {length_[i]}, source_.drawn(i), force_per_length, scaling});
+      link_three(source_, links_, entry + 1, load);
+      const Vec3& w = force_per_length;
+      energy_.stencils.push_back({source_.node_dofs(i), {length_[i], w.x(), w.y(), w.z()}, source_.drawn(i), scaling});
       length_[i] = 0;
       links_at_[i].clear();
     }
@@ -58,24 +65,29 @@ class LineLoadBuilder {
 Status add_gravity(const EnergySource& source, EnergyTerms& terms) {
   if (!source.pose->gravity) return {};
   NodeGravity energy;
-  energy.acceleration = source.pose->gravity->acceleration;
+  const Vec3& g = source.pose->gravity->acceleration;
   energy.scaling = source.pose->gravity->scaling;
   const Structure& structure = source.system.structure;
   for (int i = 0; i < source.system.layout.nodes(); ++i) {
-    energy.stencils.push_back({source.node_dofs(i), {source.system.rest.node_mass[i]}, source.drawn(i)});
+    energy.stencils.push_back(
+        {source.node_dofs(i), {source.system.rest.node_mass[i], g.x(), g.y(), g.z()}, source.drawn(i)});
   }
   RestLinks links;
+  constexpr int kRest = NodeGravity::kRest;
   for (int e = 0; e < source.system.edge_count(); ++e) {
     for (const int node : {structure.edges[e].node0, structure.edges[e].node1}) {
-      links.push_back({node, source.numbers.edge(e, kEdgeMass), 0.5});
+      links.push_back({kRest * node, source.numbers.edge(e, kEdgeMass), 0.5});
     }
   }
   for (int t = 0; t < static_cast<int>(structure.triangles.size()); ++t) {
     const StructureMembrane& membrane = structure.membranes[structure.triangles[t].membrane];
     const double density = source.model.membrane_material(membrane.material)->area_density;
     for (const int node : structure.triangles[t].node) {
-      links.push_back({node, source.numbers.triangle(t, kTriangleArea), density / 3});
+      links.push_back({kRest * node, source.numbers.triangle(t, kTriangleArea), density / 3});
     }
+  }
+  for (int i = 0; i < source.system.layout.nodes(); ++i) {
+    link_three(source, links, kRest * i + 1, source.loads.gravity());
   }
   add_term(terms, std::move(energy), ascending(std::move(links)));
   return {};
@@ -102,7 +114,7 @@ Status add_line_loads(const EnergySource& source, EnergyTerms& terms) {
       }
       take(source.system.structure.rods[r]);
     }
-    loads.finish_load(load.force_per_length, load.scaling);
+    loads.finish_load(load.force_per_length, load.scaling, source.loads.line_load(static_cast<int>(l)));
   }
   loads.finish(terms);
   return {};
@@ -128,7 +140,7 @@ Status add_edge_loads(const EnergySource& source, EnergyTerms& terms) {
         }
       }
     }
-    if (!loads.finish_load(load.force_per_length, load.scaling)) {
+    if (!loads.finish_load(load.force_per_length, load.scaling, source.loads.edge_load(static_cast<int>(l)))) {
       return Error{ErrorCode::kGeometry, source.place("edge_loads", l) + "/at",
                    "no edge at the rim of a membrane has both its ends in this selection",
                    "select at least two neighbouring vertices of a rim"};
@@ -140,6 +152,7 @@ Status add_edge_loads(const EnergySource& source, EnergyTerms& terms) {
 
 Status add_forces(const EnergySource& source, EnergyTerms& terms) {
   NodeForce energy;
+  RestLinks links;
   for (size_t i = 0; i < source.pose->forces.size(); ++i) {
     const PointForce& force = source.pose->forces[i];
     const Result<std::vector<int>> nodes = source.nodes(force.at, source.place("forces", i));
@@ -147,15 +160,18 @@ Status add_forces(const EnergySource& source, EnergyTerms& terms) {
     const double share = force.shared ? 1.0 / static_cast<double>(nodes.value().size()) : 1.0;
     for (const int node : nodes.value()) {
       const Vec3 f = share * force.force;
+      link_three(source, links, NodeForce::kRest * static_cast<int>(energy.stencils.size()),
+                 source.loads.force(static_cast<int>(i)), share);
       energy.stencils.push_back({source.node_dofs(node), {f.x(), f.y(), f.z()}, source.drawn(node), force.scaling});
     }
   }
-  add_term(terms, std::move(energy));
+  add_term(terms, std::move(energy), std::move(links));
   return {};
 }
 
 Status add_moments(const EnergySource& source, EnergyTerms& terms) {
   JointMoment energy;
+  RestLinks links;
   for (size_t i = 0; i < source.pose->moments.size(); ++i) {
     const PointMoment& moment = source.pose->moments[i];
     const Result<std::vector<int>> nodes = source.nodes(moment.at, source.place("moments", i));
@@ -169,25 +185,32 @@ Status add_moments(const EnergySource& source, EnergyTerms& terms) {
                      "make the joint there explicit, or put the moment on a rod end"};
       }
       const Vec3& m = moment.moment;
+      link_three(source, links, JointMoment::kRest * static_cast<int>(energy.stencils.size()),
+                 source.loads.moment(static_cast<int>(i)));
       energy.stencils.push_back({{r, r + 1, r + 2}, {m.x(), m.y(), m.z()}, joint, moment.scaling});
     }
   }
-  add_term(terms, std::move(energy));
+  add_term(terms, std::move(energy), std::move(links));
   return {};
 }
 
 Status add_soft_pins(const EnergySource& source, EnergyTerms& terms) {
   NodeSoftPin energy;
+  RestLinks links;
   for (size_t i = 0; i < source.pose->soft_pins.size(); ++i) {
     const SoftPin& pin = source.pose->soft_pins[i];
     const Result<std::vector<int>> nodes = source.nodes(pin.at, source.place("soft_pins", i));
     if (!nodes) return nodes.error();
     for (const int node : nodes.value()) {
+      const int entry = NodeSoftPin::kRest * static_cast<int>(energy.stencils.size());
+      links.push_back({entry, source.load_number(source.loads.pin_stiffness(static_cast<int>(i)))});
+      link_three(source, links, entry + 1,
+                 pin.target ? source.loads.pin_target(static_cast<int>(i)) : source.loads.drawn_target(node));
       const Vec3 target = pin.target.value_or(source.drawn(node));
       energy.stencils.push_back({source.node_dofs(node), {pin.stiffness, target.x(), target.y(), target.z()}});
     }
   }
-  add_term(terms, std::move(energy));
+  add_term(terms, std::move(energy), std::move(links));
   return {};
 }
 

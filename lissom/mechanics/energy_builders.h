@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_numbers.h"
 #include "lissom/mechanics/stencil_term.h"
 #include "lissom/model/model.h"
@@ -21,6 +22,9 @@ struct EnergySource {
   const Pose* pose;
   std::string where;
   RestNumbers numbers;
+  LoadNumbers loads;
+
+  int load_number(int number) const { return numbers.size() + number; }
 
   std::string place(const char* list, size_t i) const { return where + "/" + list + "/" + std::to_string(i); }
   std::array<int, 3> node_dofs(int node) const { return {3 * node, 3 * node + 1, 3 * node + 2}; }

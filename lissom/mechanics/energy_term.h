@@ -14,6 +14,7 @@
 namespace lissom {
 
 class Tape;
+struct HyperDual;
 
 /// Everything about one stencil by automatic differentiation of its value: the reference for hand-written derivatives
 /// and the source of the mixed block.
@@ -60,6 +61,10 @@ class EnergyTerm {
   /// and rest quantity (rests). `tape` is storage for intermediate numbers.
   virtual void third(const State& state, int stencil, const StencilDirections& along, Tape& tape, double* by_q,
                      double* by_rest) const = 0;
+  /// Derivatives of one stencil's energy, anchored at `state`, by each unknown (dofs) and rest quantity (rests): `a`, and
+  /// their changes along (dq, dn), dofs and rests numbers: `d2`.
+  virtual void second(const State& state, int stencil, const double* dq, const double* dn, Tape& tape, HyperDual* by_q,
+                      HyperDual* by_rest) const = 0;
   /// What the rest quantities hang on.
   virtual const RestLinks& links() const = 0;
   /// Rest quantities of one stencil, and a copy of the term with others (for checks of the mixed block).

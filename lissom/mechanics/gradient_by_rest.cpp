@@ -8,11 +8,12 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-void add_blocks(const EnergyTerm& term, const State& state, Triplets& entries) {
+void add_blocks(const EnergyTerm& term, const State& state, int numbers, Triplets& entries) {
   const int dofs = term.dofs(), rests = term.rests();
   MatX block(dofs, rests);
   int ready = -1;  // stencil whose block is at hand
   for (const RestLink& link : term.links()) {
+    if (link.number >= numbers) continue;
     const int stencil = link.entry / rests, rest = link.entry % rests;
     if (stencil != ready) term.mixed(state, stencil, block.data());
     ready = stencil;
@@ -39,7 +40,7 @@ SparseMatrix turn_of(const Potential& potential) {
 
 SparseMatrix gradient_by_rest(const Potential& potential, const State& state, int numbers) {
   Triplets entries;
-  for (const auto& term : potential.terms()) add_blocks(*term, state, entries);
+  for (const auto& term : potential.terms()) add_blocks(*term, state, numbers, entries);
   SparseMatrix matrix(potential.dofs(), numbers);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return potential.local_axes().empty() ? matrix : SparseMatrix(turn_of(potential) * matrix);

@@ -6,7 +6,7 @@
 namespace lissom {
 
 /// d gradient / d rest numbers at the anchor `state`, (unknowns x numbers), rows in the local axes of the potential.
-/// `numbers`: RestNumbers::size of the structure.
+/// `numbers`: RestNumbers::size of the structure, or that and LoadNumbers::size of the pose; others are left out.
 SparseMatrix gradient_by_rest(const Potential& potential, const State& state, int numbers);
 
 }  // namespace lissom

@@ -47,6 +47,12 @@ struct CorotationalAnchors {
   JointWeights weights = JointWeights::kEnergy;
 };
 
+/// Frames of the edges, and the frames that the joint holds against them, by the same unknowns and numbers as below; count
+/// each. T is double, or TracedDual at the anchor.
+template <class T>
+void corotational_frames(const T* x, const T* rest, const CorotationalAnchors& anchors, FrameT<T>* edge,
+                         FrameT<T>* held);
+
 /// Energy by (joint node, far nodes, rolls) and the connections' rest numbers; T is double,
 /// Dual2<kCorotationalDualSize>, or TracedDual at the anchor.
 template <class T>

@@ -42,8 +42,7 @@ Vec3T<T> matched_turn(const Eigen::Matrix<T, 3, 3>& covariance, const Mat3& r0, 
 }  // namespace
 
 template <class T>
-T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
-  std::array<FrameT<T>, kMaxCorotationalEdges> edge, at_rest;
+void corotational_frames(const T* x, const T* rest, const CorotationalAnchors& f, FrameT<T>* edge, FrameT<T>* held) {
   Eigen::Matrix<T, 3, 3> covariance;
   covariance.setConstant(T(0));
   for (int i = 0; i < f.count; ++i) {
@@ -52,23 +51,32 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
     const Vec3T<T> e((x[3 + 3 * i] - x[0]) * sign, (x[4 + 3 * i] - x[1]) * sign, (x[5 + 3 * i] - x[2]) * sign);
     edge[i] = edge_frame<T>(e, x[3 + 3 * f.count + i], f.edge[i].t, f.edge[i].reference_b);
     const Vec3T<T> turn(r[kRestTurn], r[kRestTurn + 1], r[kRestTurn + 2]);
-    at_rest[i].t = rotated_by_vector<T>(turn, f.edge[i].rest_frame.t.template cast<T>());
-    at_rest[i].b = rotated_by_vector<T>(turn, f.edge[i].rest_frame.b.template cast<T>());
+    FrameT<T>& at_rest = held[i];
+    at_rest.t = rotated_by_vector<T>(turn, f.edge[i].rest_frame.t.template cast<T>());
+    at_rest.b = rotated_by_vector<T>(turn, f.edge[i].rest_frame.b.template cast<T>());
     const ConnectionWeights<T> w = connection_weights<T>(r, f.weights);
-    covariance += (edge[i].t * w.t) * at_rest[i].t.transpose() + (edge[i].n() * w.n) * at_rest[i].n().transpose() +
-                  (edge[i].b * w.b) * at_rest[i].b.transpose();
+    covariance += (edge[i].t * w.t) * at_rest.t.transpose() + (edge[i].n() * w.n) * at_rest.n().transpose() +
+                  (edge[i].b * w.b) * at_rest.b.transpose();
   }
   const Vec3T<T> turn = matched_turn<T>(covariance, f.rotation, kMatchingSteps<T>);
-  T v(0);
   for (int i = 0; i < f.count; ++i) {
     const auto held_axis = [&](const Vec3T<T>& axis) {
       return rotated_by_vector<T>(turn, Vec3T<T>(f.rotation.template cast<T>() * axis));
     };
-    const FrameT<T> held{held_axis(at_rest[i].t), held_axis(at_rest[i].b)};
+    held[i] = {held_axis(held[i].t), held_axis(held[i].b)};
+  }
+}
+
+template <class T>
+T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
+  std::array<FrameT<T>, kMaxCorotationalEdges> edge, held;
+  corotational_frames(x, rest, f, edge.data(), held.data());
+  T v(0);
+  for (int i = 0; i < f.count; ++i) {
     const std::span<const T, kPairRestCount> spring(rest + i * kConnectionRestCount, kPairRestCount);
-    v += f.edge[i].direction > 0
-             ? bend_twist_energy<T>(curvature(held, edge[i]), twist(held, edge[i], f.edge[i].twist), spring)
-             : bend_twist_energy<T>(curvature(edge[i], held), twist(edge[i], held, f.edge[i].twist), spring);
+    const FrameT<T>&first = f.edge[i].direction > 0 ? held[i] : edge[i],
+          &second = f.edge[i].direction > 0 ? edge[i] : held[i];
+    v += bend_twist_energy<T>(curvature(first, second), twist(first, second, f.edge[i].twist), spring);
   }
   return v;
 }
@@ -76,6 +84,10 @@ T corotational_value(const T* x, const T* rest, const CorotationalAnchors& f) {
 template double corotational_value<double>(const double*, const double*, const CorotationalAnchors&);
 template Dual2<kCorotationalDualSize> corotational_value<Dual2<kCorotationalDualSize>>(
     const Dual2<kCorotationalDualSize>*, const Dual2<kCorotationalDualSize>*, const CorotationalAnchors&);
+template void corotational_frames<double>(const double*, const double*, const CorotationalAnchors&, FrameT<double>*,
+                                          FrameT<double>*);
+template void corotational_frames<TracedDual>(const TracedDual*, const TracedDual*, const CorotationalAnchors&,
+                                              FrameT<TracedDual>*, FrameT<TracedDual>*);
 template TracedDual corotational_value<TracedDual>(const TracedDual*, const TracedDual*, const CorotationalAnchors&);
 
 }  // namespace lissom

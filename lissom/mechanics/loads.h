@@ -11,12 +11,20 @@ inline double load_scale(Scaling scaling, const State& state) {
   return scaling == Scaling::kConstant ? 1.0 : state.load_factor;
 }
 
+/// -rest[0] scale (rest[1..3] . (x - drawn)): a load per mass or length on the part of a structure that a node carries.
+template <class T>
+T tributary_work(std::span<const T, 3> x, std::span<const T, 4> rest, double scale, const Vec3& drawn) {
+  T work(0);
+  for (int i = 0; i < 3; ++i) work += (x[i] - T(drawn[i])) * (rest[1 + i] * scale);
+  return -(rest[0] * work);
+}
+
 /// V = -m g . (x - X) [mathematics 1.4].
 struct NodeGravity {
   static constexpr std::string_view kName = "gravity";
   static constexpr std::string_view kCitation = "mathematics 1.4";
   static constexpr int kDofs = 3;  // x (m)
-  static constexpr int kRest = 1;  // mass m (kg)
+  static constexpr int kRest = 4;  // mass m (kg), acceleration g (m/s^2)
   static constexpr bool kHasHessian = false;
   struct Stencil {
     std::array<int, kDofs> dofs;
@@ -24,19 +32,15 @@ struct NodeGravity {
     Vec3 drawn;
   };
   struct Frozen {
-    Vec3 acceleration, drawn;
+    double scale;
+    Vec3 drawn;
   };
-  Frozen frozen(const State& state, const Stencil& s) const {
-    return {load_scale(scaling, state) * acceleration, s.drawn};
-  }
+  Frozen frozen(const State& state, const Stencil& s) const { return {load_scale(scaling, state), s.drawn}; }
   template <class T>
   static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen& f) {
-    T work(0);
-    for (int i = 0; i < 3; ++i) work += (x[i] - f.drawn[i]) * f.acceleration[i];
-    return -(rest[0] * work);
+    return tributary_work<T>(x, rest, f.scale, f.drawn);
   }
   std::vector<Stencil> stencils;
-  Vec3 acceleration = Vec3::Zero();
   Scaling scaling = Scaling::kProportional;
 };
 
@@ -45,25 +49,22 @@ struct NodeLineLoad {
   static constexpr std::string_view kName = "line_load";
   static constexpr std::string_view kCitation = "lumped consistent with the node masses of mathematics 1.4";
   static constexpr int kDofs = 3;  // x (m)
-  static constexpr int kRest = 1;  // tributary length l (m)
+  static constexpr int kRest = 4;  // tributary length l (m), load w (N/m)
   static constexpr bool kHasHessian = false;
   struct Stencil {
     std::array<int, kDofs> dofs;
     std::array<double, kRest> rest;
-    Vec3 drawn, force_per_length;
+    Vec3 drawn;
     Scaling scaling;
   };
   struct Frozen {
-    Vec3 force_per_length, drawn;
+    double scale;
+    Vec3 drawn;
   };
-  Frozen frozen(const State& state, const Stencil& s) const {
-    return {load_scale(s.scaling, state) * s.force_per_length, s.drawn};
-  }
+  Frozen frozen(const State& state, const Stencil& s) const { return {load_scale(s.scaling, state), s.drawn}; }
   template <class T>
   static T value(std::span<const T, kDofs> x, std::span<const T, kRest> rest, const Frozen& f) {
-    T work(0);
-    for (int i = 0; i < 3; ++i) work += (x[i] - f.drawn[i]) * f.force_per_length[i];
-    return -(rest[0] * work);
+    return tributary_work<T>(x, rest, f.scale, f.drawn);
   }
   std::vector<Stencil> stencils;
 };

@@ -8,11 +8,11 @@ namespace lissom {
 /// Adds factor * number to one rest quantity of a stencil.
 struct RestLink {
   int entry = 0;   ///< stencil * rests + place among the stencil's rest quantities
-  int number = 0;  ///< in the order of RestNumbers
+  int number = 0;  ///< in the order of RestNumbers, followed by LoadNumbers
   double factor = 1;
 };
 
-/// Ascending by entry. Entries without a link do not hang on the structure: forces, targets.
+/// Ascending by entry.
 using RestLinks = std::vector<RestLink>;
 
 }  // namespace lissom

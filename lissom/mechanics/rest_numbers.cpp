@@ -13,6 +13,8 @@ VecX rest_input_values(const Model& model, const System& system) {
   }
   for (int r = 0; r < static_cast<int>(structure.rods.size()); ++r) {
     inputs[layout.youngs_modulus(r)] = model.material(structure.rods[r].material)->youngs_modulus;
+    inputs[layout.length_factor(r)] = structure.rods[r].length_factor;
+    inputs.segment<3>(layout.natural_rate(r, 0)) = structure.rods[r].natural_rates.value_or(Vec3::Zero());
   }
   for (int m = 0; m < static_cast<int>(structure.membranes.size()); ++m) {
     const MembraneMaterial& material = *model.membrane_material(structure.membranes[m].material);

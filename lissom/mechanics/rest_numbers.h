@@ -60,19 +60,24 @@ class RestNumbers {
 };
 
 /// Inputs: places of nodes in the drawing (m), half-extents of edges along n and b (m), pre-stretches of membranes along
-/// axes 1 and 2, Young's moduli of rods (Pa); of membranes stiffness 1 and 2 (N/m), Poisson's ratio, thickness (m).
+/// axes 1 and 2, Young's moduli of rods (Pa), their natural lengths over those of the shapes that describe them, and where
+/// these are constant natural curvatures towards b and n (1/m) and twist (rad/m); of membranes stiffness 1 and 2 (N/m),
+/// Poisson's ratio, thickness (m).
 class RestInputs {
  public:
   explicit RestInputs(const Structure& structure)
       : extents_(3 * static_cast<int>(structure.nodes.size())),
         rods_(extents_ + 2 * static_cast<int>(structure.edges.size())),
-        membranes_(rods_ + static_cast<int>(structure.rods.size())),
+        membranes_(rods_ + kRodInputs * static_cast<int>(structure.rods.size())),
         size_(membranes_ + kMembraneInputs * static_cast<int>(structure.membranes.size())) {}
 
   int position(int node) const { return 3 * node; }
   int extent_n(int edge) const { return extents_ + 2 * edge; }
   int extent_b(int edge) const { return extents_ + 2 * edge + 1; }
-  int youngs_modulus(int rod) const { return rods_ + rod; }
+  int youngs_modulus(int rod) const { return rods_ + kRodInputs * rod; }
+  int length_factor(int rod) const { return rods_ + kRodInputs * rod + 1; }
+  /// Rate 0, 1, 2: curvature towards b, towards n, twist. 0 and without effect on rods of another natural shape.
+  int natural_rate(int rod, int rate) const { return rods_ + kRodInputs * rod + 2 + rate; }
   int pre_stretch(int membrane, int axis) const { return membranes_ + kMembraneInputs * membrane + axis; }
   int sheet_stiffness(int membrane, int axis) const { return membranes_ + kMembraneInputs * membrane + 2 + axis; }
   int sheet_poisson(int membrane) const { return membranes_ + kMembraneInputs * membrane + 4; }
@@ -80,7 +85,7 @@ class RestInputs {
   int size() const { return size_; }
 
  private:
-  static constexpr int kMembraneInputs = 6;
+  static constexpr int kRodInputs = 5, kMembraneInputs = 6;
   int extents_ = 0, rods_ = 0, membranes_ = 0, size_ = 0;
 };
 

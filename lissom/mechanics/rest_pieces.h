@@ -8,6 +8,7 @@
 #include "lissom/mechanics/rest_numbers.h"
 #include "lissom/mechanics/system.h"
 #include "lissom/model/membrane_formulas.h"
+#include "lissom/model/natural_formulas.h"
 #include "lissom/model/section_formulas.h"
 
 namespace lissom {
@@ -22,7 +23,11 @@ struct RestSource {
   RestSource(const Model& m, const System& s) : model(m), system(s), numbers(s.structure), inputs(s.structure) {}
   const Structure& structure() const { return system.structure; }
   const StructureRod& rod(int edge) const { return structure().rods[structure().edges[edge].rod]; }
+  const Vec3& normal(int edge) const { return structure().edges[edge].natural_normal; }
 };
+
+/// Of a rod: E, length factor, three natural rates.
+inline constexpr int kRodInputs = 5;
 
 /// Inputs and outputs of one piece: where its local variables come from and its results go.
 template <int Inputs, int Outputs>
@@ -37,6 +42,10 @@ struct RestPlaces {
   void section(int& at, const RestSource& s, int edge) {
     input[at++] = s.inputs.extent_n(edge);
     input[at++] = s.inputs.extent_b(edge);
+  }
+  /// E, length factor, natural rates.
+  void rod(int& at, const RestSource& s, int edge) {
+    for (int i = 0; i < kRodInputs; ++i) input[at++] = s.inputs.youngs_modulus(s.structure().edges[edge].rod) + i;
   }
 };
 
@@ -69,23 +78,29 @@ FrameT<T> rest_frame(const Vec3T<T>& x0, const Vec3T<T>& x1, const Vec3& normal)
   return {t, b * (T(1) / sqrt(b.dot(b)))};
 }
 
-/// Inputs: x0, x1, section, E. Outputs: EdgeNumber.
-struct EdgeRestPiece : RestPlaces<9, kEdgeNumbers> {
+/// Rest length of an edge that is described apart from the drawing.
+template <class T>
+T described_length(const RestSource& s, int edge, const T& length_factor) {
+  return length_factor * T(s.structure().edges[edge].rest_length / s.rod(edge).length_factor);
+}
+
+/// Inputs: x0, x1, section, rod. Outputs: EdgeNumber.
+struct EdgeRestPiece : RestPlaces<8 + kRodInputs, kEdgeNumbers> {
   int edge;
   EdgeRestPiece(const RestSource& s, int e) : edge(e) {
     int at = 0;
     place(at, s, s.structure().edges[e].node0);
     place(at, s, s.structure().edges[e].node1);
     section(at, s, e);
-    input[at] = s.inputs.youngs_modulus(s.structure().edges[e].rod);
+    rod(at, s, e);
     for (int i = 0; i < kOutputs; ++i) output[i] = s.numbers.edge(e, i);
   }
   static int count(const RestSource& s) { return s.system.edge_count(); }
 
   template <class T>
   void compute(const RestSource& s, const T* in, T* out) const {
-    const bool drawn = !s.rod(edge).natural_normal.isZero();
-    const T length = drawn ? distance<T>(point(in), point(in + 3)) : T(s.structure().edges[edge].rest_length);
+    const bool drawn = !s.normal(edge).isZero();
+    const T length = drawn ? in[9] * distance<T>(point(in), point(in + 3)) : described_length<T>(s, edge, in[9]);
     const EdgeRestT<T> rest = edge_rest<T>(length, section_of(s, edge, in + 6, in[8]));
     out[kEdgeLength] = rest.length;
     out[kEdgeStretch] = rest.stretch;
@@ -93,8 +108,8 @@ struct EdgeRestPiece : RestPlaces<9, kEdgeNumbers> {
   }
 };
 
-/// Inputs: x0, x1, x2, both sections, E. Outputs: PairRestIndex.
-struct PairRestPiece : RestPlaces<14, kPairRestCount> {
+/// Inputs: x0, x1, x2, both sections, rod. Outputs: PairRestIndex.
+struct PairRestPiece : RestPlaces<13 + kRodInputs, kPairRestCount> {
   int pair;
   PairRestPiece(const RestSource& s, int p) : pair(p) {
     const StructurePair& own = s.structure().pairs[p];
@@ -104,7 +119,7 @@ struct PairRestPiece : RestPlaces<14, kPairRestCount> {
     place(at, s, s.structure().edges[own.edge1].node1);
     section(at, s, own.edge0);
     section(at, s, own.edge1);
-    input[at] = s.inputs.youngs_modulus(s.structure().edges[own.edge0].rod);
+    rod(at, s, own.edge0);
     for (int i = 0; i < kOutputs; ++i) output[i] = s.numbers.pair(p, i);
   }
   static int count(const RestSource& s) { return static_cast<int>(s.structure().pairs.size()); }
@@ -114,29 +129,36 @@ struct PairRestPiece : RestPlaces<14, kPairRestCount> {
     const StructurePair& own = s.structure().pairs[pair];
     const SectionStiffnessT<T> s0 = section_of(s, own.edge0, in + 9, in[13]),
                                s1 = section_of(s, own.edge1, in + 11, in[13]);
-    const Vec3& normal = s.rod(own.edge0).natural_normal;
+    const Vec3 &normal = s.normal(own.edge0), &next = s.normal(own.edge1);
     if (normal.isZero()) {
-      const T l0 = s.structure().edges[own.edge0].rest_length, l1 = s.structure().edges[own.edge1].rest_length;
-      write_pair(pair_rest<T>({T(own.rest_kappa_1), T(own.rest_kappa_2)}, T(own.rest_twist), l0, l1, s0, s1), out);
+      const T l0 = described_length<T>(s, own.edge0, in[14]), l1 = described_length<T>(s, own.edge1, in[14]);
+      Curvature<T> k{T(own.rest_kappa_1), T(own.rest_kappa_2)};
+      T twist(own.rest_twist);
+      if (s.rod(own.edge0).natural_rates) {
+        const T between = (l0 + l1) * T(0.5);
+        k = natural_curvature<T>(in[15], in[16], between);
+        twist = in[17] * between;
+      }
+      write_pair(pair_rest<T>(k, twist, l0, l1, s0, s1), out);
       return;
     }
     const Vec3T<T> x0 = point(in), x1 = point(in + 3), x2 = point(in + 6);
-    const FrameT<T> first = rest_frame(x0, x1, normal), second = rest_frame(x1, x2, normal);
-    write_pair(pair_rest<T>(curvature(first, second), twist(first, second, own.rest_twist), distance<T>(x0, x1),
-                            distance<T>(x1, x2), s0, s1),
+    const FrameT<T> first = rest_frame(x0, x1, normal), second = rest_frame(x1, x2, next);
+    write_pair(pair_rest<T>(curvature(first, second), twist(first, second, own.rest_twist),
+                            in[14] * distance<T>(x0, x1), in[14] * distance<T>(x1, x2), s0, s1),
                out);
   }
 };
 
-/// Inputs: x0, x1, section, E. Outputs: PairRestIndex, then the turn of the rest frame.
-struct ConnectionRestPiece : RestPlaces<9, kConnectionRestCount> {
+/// Inputs: x0, x1, section, rod. Outputs: PairRestIndex, then the turn of the rest frame.
+struct ConnectionRestPiece : RestPlaces<8 + kRodInputs, kConnectionRestCount> {
   int number, edge;
   ConnectionRestPiece(const RestSource& s, int k) : number(k), edge(s.system.connections[k].edge) {
     int at = 0;
     place(at, s, s.structure().edges[edge].node0);
     place(at, s, s.structure().edges[edge].node1);
     section(at, s, edge);
-    input[at] = s.inputs.youngs_modulus(s.structure().edges[edge].rod);
+    rod(at, s, edge);
     for (int i = 0; i < kOutputs; ++i) output[i] = s.numbers.connection(k, i);
   }
   static int count(const RestSource& s) { return static_cast<int>(s.system.connections.size()); }
@@ -144,17 +166,37 @@ struct ConnectionRestPiece : RestPlaces<9, kConnectionRestCount> {
   template <class T>
   void compute(const RestSource& s, const T* in, T* out) const {
     const SectionStiffnessT<T> section = section_of(s, edge, in + 6, in[8]);
-    const Vec3& normal = s.rod(edge).natural_normal;
+    const Vec3& normal = s.normal(edge);
     for (int i = 0; i < 3; ++i) out[kRestTurn + i] = T(0);
-    if (normal.isZero()) {
-      write_pair(connection_rest<T>(T(s.structure().edges[edge].rest_length), section), out);
+    if (!normal.isZero()) {
+      const Vec3T<T> x0 = point(in), x1 = point(in + 3);
+      write_pair(connection_rest<T>(in[9] * distance<T>(x0, x1), section), out);
+      write_turn(s, rest_frame(x0, x1, normal), out);
       return;
     }
-    const Vec3T<T> x0 = point(in), x1 = point(in + 3);
-    write_pair(connection_rest<T>(distance<T>(x0, x1), section), out);
-    // The axial vector of F F0' is the rotation vector but for terms of third order.
+    const T length = described_length<T>(s, edge, in[9]);
+    write_pair(connection_rest<T>(length, section), out);
+    if (s.rod(edge).natural_rates) write_turn(s, natural_frame<T>(s, in + 10, length), out);
+  }
+
+  /// The frame half an edge away from the joint, for these natural rates.
+  template <class T>
+  FrameT<T> natural_frame(const RestSource& s, const T* rates, const T& length) const {
+    const double side = s.system.connections[number].direction;
+    const Vec3& present = *s.rod(edge).natural_rates;
+    const double half = side * 0.5 * s.structure().edges[edge].rest_length;
+    const Curvature<double> back = natural_curvature<double>(present[0], present[1], -half);
     const Frame& before = s.system.connections[number].rest;
-    const FrameT<T> now = rest_frame(x0, x1, normal);
+    const FrameT<double> joint = advanced<double>({before.t, before.b}, back, -present[2] * half);
+    const T away = length * T(0.5 * side);
+    return advanced<T>({joint.t.cast<T>(), joint.b.cast<T>()}, natural_curvature<T>(rates[0], rates[1], away),
+                       rates[2] * away);
+  }
+
+  /// The axial vector of F F0' is the rotation vector but for terms of third order.
+  template <class T>
+  void write_turn(const RestSource& s, const FrameT<T>& now, T* out) const {
+    const Frame& before = s.system.connections[number].rest;
     const Vec3T<T> axial = (Vec3T<T>(before.t.cast<T>()).cross(now.t) + Vec3T<T>(before.b.cast<T>()).cross(now.b) +
                             Vec3T<T>(before.n.cast<T>()).cross(now.n())) *
                            T(0.5);

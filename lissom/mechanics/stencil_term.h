@@ -147,23 +147,40 @@ class StencilTerm final : public EnergyTerm {
         for (int i = 0; i < E::kDofs; ++i) block[j * E::kDofs + i] = gradient[i].g[j];
       }
     } else {
-      const StencilDerivatives all = automatic(state, VecX::Zero(state.q.size()), index);
-      Eigen::Map<MatX>(block, E::kDofs, E::kRest) = all.mixed;
+      // Two unknowns at a time are the directions of a sweep back: large duals cost a hundred times as much.
+      constexpr std::array<double, E::kRest> kNothing{};
+      Tape tape;
+      for (int i = 0; i < E::kDofs; i += 2) {
+        std::array<double, E::kDofs> one{}, next{};
+        const bool both = i + 1 < E::kDofs;
+        one[i] = 1;
+        if (both) next[i + 1] = 1;
+        trace(state, index, {one.data(), next.data(), kNothing.data()}, tape, [&](const auto&, const auto& rest) {
+          for (int j = 0; j < E::kRest; ++j) {
+            const HyperDual& by = tape.by(rest[j]);
+            block[j * E::kDofs + i] = by.d1;
+            if (both) block[j * E::kDofs + i + 1] = by.d2;
+          }
+        });
+      }
     }
   }
 
   void third(const State& state, int index, const StencilDirections& along, Tape& tape, double* by_q,
              double* by_rest) const override {
-    const auto& s = energy_.stencils[index];
-    std::array<TracedDual, E::kDofs> x;
-    std::array<TracedDual, E::kRest> rest;
-    tape.clear();
-    for (int i = 0; i < E::kDofs; ++i) x[i] = tape.variable({state.q[s.dofs[i]], along.lambda[i], along.dq[i], 0});
-    for (int i = 0; i < E::kRest; ++i) rest[i] = tape.variable({s.rest[i], 0, along.dn[i], 0});
-    tape.add_result(E::template value<TracedDual>(x, rest, energy_.frozen(state, s)), 1);
-    tape.sweep();
-    for (int i = 0; i < E::kDofs; ++i) by_q[i] = tape.by(x[i]).d12;
-    for (int i = 0; i < E::kRest; ++i) by_rest[i] = tape.by(rest[i]).d12;
+    trace(state, index, along, tape, [&](const auto& x, const auto& rest) {
+      for (int i = 0; i < E::kDofs; ++i) by_q[i] = tape.by(x[i]).d12;
+      for (int i = 0; i < E::kRest; ++i) by_rest[i] = tape.by(rest[i]).d12;
+    });
+  }
+
+  void second(const State& state, int index, const double* dq, const double* dn, Tape& tape, HyperDual* by_q,
+              HyperDual* by_rest) const override {
+    constexpr std::array<double, E::kDofs> kNothing{};
+    trace(state, index, {kNothing.data(), dq, dn}, tape, [&](const auto& x, const auto& rest) {
+      for (int i = 0; i < E::kDofs; ++i) by_q[i] = tape.by(x[i]);
+      for (int i = 0; i < E::kRest; ++i) by_rest[i] = tape.by(rest[i]);
+    });
   }
 
   const RestLinks& links() const override { return links_; }
@@ -197,6 +214,20 @@ class StencilTerm final : public EnergyTerm {
     } else {
       return E::kDofs + kRestChunk;
     }
+  }
+
+  /// Sweeps back over one stencil's value; `read` gets its variables.
+  template <class Read>
+  void trace(const State& state, int index, const StencilDirections& along, Tape& tape, const Read& read) const {
+    const auto& s = energy_.stencils[index];
+    std::array<TracedDual, E::kDofs> x;
+    std::array<TracedDual, E::kRest> rest;
+    tape.clear();
+    for (int i = 0; i < E::kDofs; ++i) x[i] = tape.variable({state.q[s.dofs[i]], along.lambda[i], along.dq[i], 0});
+    for (int i = 0; i < E::kRest; ++i) rest[i] = tape.variable({s.rest[i], 0, along.dn[i], 0});
+    tape.add_result(E::template value<TracedDual>(x, rest, energy_.frozen(state, s)), 1);
+    tape.sweep();
+    read(x, rest);
   }
 
   const typename E::Stencil& stencil(int group, int lane) const {

@@ -82,30 +82,46 @@ const LocalAxes* Supports::axes_at(int first_dof) const {
   return nullptr;
 }
 
-SparseMatrix Supports::held_by_places(const System& system) const {
-  std::map<int, Mat3> by_node;  // in global axes; later supports of a node act on what earlier ones left
+template <class Column>
+SparseMatrix Supports::held_by(const System& system, int columns, const Column& column) const {
+  // By node and column, in global axes; later supports of a node act on what earlier ones left.
+  std::map<int, std::map<int, Mat3>> by_node;
   for (const HeldPosition& held : positions_) {
     const int at = system.layout.position(held.node);
     const LocalAxes* local = axes_at(at);
     const Mat3 axes = local == nullptr ? Mat3(Mat3::Identity()) : local->axes;
     const Vec3 mask(held_[at] ? 1 : 0, held_[at + 1] ? 1 : 0, held_[at + 2] ? 1 : 0);
-    Mat3& follows = by_node.try_emplace(held.node, Mat3::Zero()).first->second;
-    follows += held.along * (Mat3(axes * mask.asDiagonal() * axes.transpose()) - follows);
+    std::map<int, Mat3>& follows = by_node[held.node];
+    for (auto& [other, matrix] : follows) matrix -= held.along * matrix;
+    if (const int own = column(held); own >= 0) {
+      follows.try_emplace(own, Mat3::Zero()).first->second +=
+          held.along * (axes * mask.asDiagonal() * axes.transpose());
+    }
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& [node, follows] : by_node) {
     const int at = system.layout.position(node);
     const LocalAxes* local = axes_at(at);
-    const Mat3 rows = local == nullptr ? follows : Mat3(local->axes.transpose() * follows);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        if (rows(i, j) != 0) entries.emplace_back(at + i, 3 * node + j, rows(i, j));
+    for (const auto& [first, matrix] : follows) {
+      const Mat3 rows = local == nullptr ? matrix : Mat3(local->axes.transpose() * matrix);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          if (rows(i, j) != 0) entries.emplace_back(at + i, first + j, rows(i, j));
+        }
       }
     }
   }
-  SparseMatrix matrix(system.layout.size(), 3 * system.layout.nodes());
+  SparseMatrix matrix(system.layout.size(), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+SparseMatrix Supports::held_by_places(const System& system) const {
+  return held_by(system, 3 * system.layout.nodes(), [](const HeldPosition& held) { return 3 * held.node; });
+}
+
+SparseMatrix Supports::held_by_moves(const System& system) const {
+  return held_by(system, 3 * supports_, [](const HeldPosition& held) { return held.moves ? 3 * held.support : -1; });
 }
 
 void Supports::take_places(const Supports& other) {

@@ -36,6 +36,9 @@ class Supports {
   /// How unknowns that are held follow the drawn places of nodes: d held unknowns / d drawn positions, (unknowns x 3 nodes),
   /// rows in local axes. Movements on top of them count as fixed.
   SparseMatrix held_by_places(const System& system) const;
+  /// How they follow `move` of the supports, at load factor 1: d held unknowns / d moves, (unknowns x 3 supports of the pose),
+  /// rows in local axes.
+  SparseMatrix held_by_moves(const System& system) const;
   bool same_held(const Supports& other) const { return held_ == other.held_; }
   /// Holds the same unknowns at the places of `other`, which holds the same ones.
   void take_places(const Supports& other);
@@ -59,6 +62,8 @@ class Supports {
     Vec3 arm = Vec3::Zero();        ///< m, from the pivot at rest, when turned
     Vec3 turn = Vec3::Zero();       ///< rad at load factor 1
     Mat3 along = Mat3::Identity();  ///< projector onto the directions that this support holds
+    int support = -1;               ///< of the pose
+    bool moves = true;              ///< by Support::move
   };
   struct HeldRotation {
     int joint;
@@ -71,10 +76,14 @@ class Supports {
   };
 
   friend class SupportsBuilder;
+  /// d held unknowns / d whatever `column(held)` counts, by three, -1: nothing; (unknowns x columns), rows in local axes.
+  template <class Column>
+  SparseMatrix held_by(const System& system, int columns, const Column& column) const;
   const LocalAxes* axes_at(int first_dof) const;  ///< null where they are x, y, z
 
   std::vector<int> kept_;
   std::vector<bool> held_;
+  int supports_ = 0;  // of the pose
   int unknowns_ = 0;
   std::vector<LocalAxes> local_axes_;
   std::vector<HeldPosition> positions_;

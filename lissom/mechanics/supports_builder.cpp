@@ -19,6 +19,7 @@ Mat3 span_of(const std::vector<Vec3>& directions) {
 SupportsBuilder::SupportsBuilder(const Model& model, const System& system, const Pose& pose, std::string where)
     : model_(model), system_(system), pose_(pose), where_(std::move(where)) {
   supports_.held_.assign(system.layout.size(), false);
+  supports_.supports_ = static_cast<int>(pose.supports.size());
 }
 
 Result<Supports> SupportsBuilder::build(NullMotions null_motions) {
@@ -29,8 +30,13 @@ Result<Supports> SupportsBuilder::build(NullMotions null_motions) {
     const std::string where = where_ + "/supports/" + std::to_string(i);
     const Result<std::vector<int>> nodes = select(model_, system_.structure, pose_.supports[i].at, where + "/at");
     if (!nodes) return nodes.error();
+    const std::size_t before = supports_.positions_.size();
     const Status status = apply(pose_.supports[i], nodes.value(), where);
     if (!status) return status.error();
+    for (std::size_t k = before; k < supports_.positions_.size(); ++k) {
+      supports_.positions_[k].support = static_cast<int>(i);
+      supports_.positions_[k].moves = pose_.supports[i].kind != SupportKind::kSymmetry;
+    }
   }
   std::vector<bool> removed = supports_.held_;
   if (!pose_.frozen) {

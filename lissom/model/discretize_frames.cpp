@@ -79,6 +79,19 @@ void frames_from_joints(RodShape& shape, const Vec3& start, const Vec3& end) {
 
 }  // namespace
 
+std::vector<Vec3> directions_of_normals(const RodShape& shape, const MaterialAxes& axes) {
+  const bool per_point = axes.kind == MaterialAxes::Kind::kPerPoint && !axes.normals.empty();
+  if (!per_point && axes.kind != MaterialAxes::Kind::kDirection && axes.kind != MaterialAxes::Kind::kPerPoint)
+    return {};
+  const int n = shape.edges();
+  std::vector<Vec3> directions;
+  directions.reserve(static_cast<size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    directions.push_back(per_point ? interpolated(axes.normals, (i + 0.5) / n, shape.closed) : axes.normal);
+  }
+  return directions;
+}
+
 bool parallel(const Vec3& tangent, const Vec3& normal) {
   return !(tangent.cross(normal).norm() > kParallel * normal.norm());
 }
@@ -90,10 +103,8 @@ void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, co
   switch (axes.kind) {
     case MaterialAxes::Kind::kDirection:
     case MaterialAxes::Kind::kPerPoint: {
-      const bool fixed = axes.kind == MaterialAxes::Kind::kDirection || axes.normals.empty();
-      const auto direction = [&](int i) -> Vec3 {
-        return fixed ? axes.normal : interpolated(axes.normals, (i + 0.5) / n, shape.closed);
-      };
+      const std::vector<Vec3> directions = directions_of_normals(shape, axes);
+      const auto direction = [&](int i) -> const Vec3& { return directions[static_cast<size_t>(i)]; };
       if (const int without = frames_from_directions(shape, direction); without > 0) {
         notes.push_back(fmt::format(
             "{}: the direction of the normal is parallel to {} of {} edges, where the normal is carried over from the "

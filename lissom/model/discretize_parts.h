@@ -56,6 +56,9 @@ Status measure_edges(RodShape& shape, const std::string& where, const std::strin
 void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, const Vec3& end, const std::string& label,
                 std::vector<std::string>& notes);
 
+/// The direction that the normal of each edge is to have, of axes that name directions; empty for others.
+std::vector<Vec3> directions_of_normals(const RodShape& shape, const MaterialAxes& axes);
+
 /// Whether a tangent is too close to a direction for that to give a normal.
 bool parallel(const Vec3& tangent, const Vec3& normal);
 

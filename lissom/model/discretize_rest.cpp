@@ -4,20 +4,22 @@
 #include <numbers>
 
 #include "lissom/model/discretize_parts.h"
+#include "lissom/model/natural_formulas.h"
 #include "lissom/model/sampling.h"
 
 namespace lissom {
 
 namespace {
 
-/// Strain of constant natural curvature and twist over a length: 2 tan(phi / 2) for the turning angle phi.
-PairStrain natural_strain(const Natural& natural, double length) {
-  const double curvature = std::hypot(natural.curvature_b, natural.curvature_n);
+/// Strain of constant natural curvature and twist over a drawn length.
+PairStrain natural_strain(const Natural& natural, double drawn) {
   if (natural.kind == Natural::Kind::kStraight) return {};
-  const double factor = curvature > 0 ? 2 * std::tan(curvature * length / 2) / curvature : 0;
-  return {factor * natural.curvature_b, factor * natural.curvature_n, natural.twist * length};
+  const double length = natural.length_factor * drawn;
+  const Curvature<double> k = natural_curvature<double>(natural.curvature_b, natural.curvature_n, length);
+  return {k.kappa_1, k.kappa_2, natural.twist * length};
 }
 
+/// `longest`: m, of the edges at rest.
 Status check_natural(const Natural& natural, double longest, const std::string& where) {
   if (!std::isfinite(natural.curvature_b) || !std::isfinite(natural.curvature_n) || !std::isfinite(natural.twist)) {
     return Error{ErrorCode::kRange, where, "the natural curvature or twist is not finite", "give finite numbers"};
@@ -61,16 +63,15 @@ Status set_rest_curve(Draft& draft, size_t r) {
   return {};
 }
 
-/// StructureRod::natural_normal of a drawn rod.
-Vec3 natural_normal(const Rod& rod, const RodShape& drawn) {
-  if (rod.natural.kind != Natural::Kind::kAsDrawn || rod.axes.kind != MaterialAxes::Kind::kDirection) {
-    return Vec3::Zero();
+/// StructureEdge::natural_normal of all edges of a rod, or nothing.
+std::vector<Vec3> natural_normals(const Rod& rod, const RodShape& drawn) {
+  if (rod.natural.kind != Natural::Kind::kAsDrawn) return {};
+  std::vector<Vec3> normals = directions_of_normals(drawn, rod.axes);
+  for (size_t i = 0; i < normals.size(); ++i) {
+    if (parallel(drawn.edge_tangents[i], normals[i])) return {};
+    normals[i].normalize();
   }
-  const Vec3 normal = rod.axes.normal.normalized();
-  for (const Vec3& tangent : drawn.edge_tangents) {
-    if (parallel(tangent, normal)) return Vec3::Zero();
-  }
-  return normal;
+  return normals;
 }
 
 }  // namespace
@@ -81,18 +82,30 @@ Status set_rest_shapes(Draft& draft) {
   for (size_t r = 0; r < draft.drawn.size(); ++r) {
     const Natural& natural = draft.model.rods[r].natural;
     const RodShape& drawn = draft.drawn[r];
+    if (!(natural.length_factor > 0) || !std::isfinite(natural.length_factor)) {
+      return Error{ErrorCode::kRange, rod_place(r) + "/natural",
+                   fmt::format("the natural length is {:g} times the drawn one", natural.length_factor),
+                   "give a positive factor"};
+    }
     if (natural.kind == Natural::Kind::kCurve) {
       if (Status status = set_rest_curve(draft, r); !status) return status;
     } else if (natural.kind == Natural::Kind::kCurved) {
       double longest = 0;
-      for (double length : drawn.lengths) longest = std::max(longest, length);
+      for (double length : drawn.lengths) longest = std::max(longest, natural.length_factor * length);
       if (Status status = check_natural(natural, longest, rod_place(r) + "/natural"); !status) return status;
     }
-    s.rods[r].natural_normal = natural_normal(draft.model.rods[r], drawn);
+    s.rods[r].length_factor = natural.length_factor;
+    if (natural.kind == Natural::Kind::kStraight || natural.kind == Natural::Kind::kCurved) {
+      const bool straight = natural.kind == Natural::Kind::kStraight;
+      s.rods[r].natural_rates =
+          straight ? Vec3(Vec3::Zero()) : Vec3(natural.curvature_b, natural.curvature_n, natural.twist);
+    }
+    const std::vector<Vec3> normals = natural_normals(draft.model.rods[r], drawn);
     const RodShape& measured = draft.rest[r].lengths.empty() ? drawn : draft.rest[r];
     for (size_t i = 0; i < drawn.lengths.size(); ++i) {
       StructureEdge& edge = s.edges[static_cast<size_t>(s.rods[r].edges[i])];
-      edge.rest_length = measured.lengths[i];
+      edge.rest_length = natural.length_factor * measured.lengths[i];
+      if (!normals.empty()) edge.natural_normal = normals[i];
       if (natural.kind == Natural::Kind::kAsDrawn || natural.kind == Natural::Kind::kCurve) {
         edge.rest = measured.frames[i];
       } else if (i == 0) {

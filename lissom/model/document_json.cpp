@@ -162,6 +162,7 @@ void describe(Fields& fields, DocumentEntry& document) {
       .field("sets", m.sets, TableOf<NamedSetOf, NamedSet>{{}, &NamedSet::name}, kOptional, "Named sets of nodes.")
       .field("poses", m.poses, ListOf<PoseOf>{}, kOptional, "Situations: what is held, moved and loaded.")
       .field("motions", m.motions, ListOf<MotionOf>{}, kOptional, "Motions in time.")
+      .field("design", m.design, BriefOf(), kOptional, "What `lissom optimize` may change, and what it should reach.")
       .field("expect", m.expectations, ListOf<ExpectationOf>{}, kOptional, "Numbers that `lissom verify` checks.");
 }
 

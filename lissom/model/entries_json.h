@@ -145,6 +145,13 @@ struct PoseOf {
   JsonValue schema(Schema& schema) const;
 };
 
+/// What a design may change and should reach.
+struct BriefOf {
+  void read(Reader& reader, const JsonValue& json, Brief& brief) const;
+  JsonValue write(const Brief& brief) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 struct MotionOf {
   void read(Reader& reader, const JsonValue& json, MotionCase& motion) const;
   JsonValue write(const MotionCase& motion) const;

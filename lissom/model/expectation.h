@@ -21,6 +21,7 @@ struct Expectation {
   std::string rod;                 ///< for rod quantities
   std::string membrane;            ///< for quantities of one membrane
   std::string fabric_test;         ///< for moduli fitted to it
+  std::string parameter;           ///< of the design, by its name; empty: the only one
   double fraction = -1;            ///< place along the rod, of its rest length
   int mode = -1;                   ///< index of a mode, 0 = lowest
   std::string mode_kind;           ///< "bending", "axial", "torsional": which modes are counted

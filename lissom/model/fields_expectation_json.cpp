@@ -132,6 +132,7 @@ void describe(Fields& fields, ExpectationEntry& entry) {
       .field("rod", e.rod, TextOf(), kOptional, "Rod, for quantities of rods.")
       .field("membrane", e.membrane, TextOf(), kOptional, "Membrane, for quantities of one membrane.")
       .field("fabric_test", e.fabric_test, TextOf(), kOptional, "Test, for quantities that are fitted to one.")
+      .field("parameter", e.parameter, TextOf(), kOptional, "Parameter of the design; the only one when absent.")
       .field("fraction", entry.fraction, NumberOf{Measure::kRatio, between(0, 1)}, kOptional,
              "Place along the rod, as a fraction of its rest length.")
       .field("mode", entry.mode, IntegerOf{}, kOptional, "Number of a mode, 0 is the lowest.")

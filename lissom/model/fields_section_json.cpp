@@ -117,22 +117,29 @@ constexpr ObjectOf<AxesEntry> kAxes{"axes"};
 
 /// The object form of a natural shape.
 struct NaturalEntry {
-  std::optional<double> curvature_b, curvature_n, twist;
+  std::optional<Natural::Kind> shape;
+  std::optional<double> curvature_b, curvature_n, twist, length_factor;
   std::optional<Curve> curve;
   std::optional<MaterialAxes> axes;
 };
 
 constexpr ConvertedOf<Curve, CurveEntry> kCurve{"curve"};
+constexpr std::pair<std::string_view, Natural::Kind> kNaturalWords[] = {{"as_drawn", Natural::Kind::kAsDrawn},
+                                                                        {"straight", Natural::Kind::kStraight}};
 
 void describe(Fields& fields, NaturalEntry& entry) {
   fields
+      .field("shape", entry.shape, ChoiceOf<Natural::Kind>{kNaturalWords}, kOptional,
+             "The same as the word alone; as drawn when nothing else is said.")
       .field("curvature_b", entry.curvature_b, NumberOf{Measure::kCurvature}, kOptional,
              "Constant curvature towards b.")
       .field("curvature_n", entry.curvature_n, NumberOf{Measure::kCurvature}, kOptional,
              "Constant curvature towards n.")
       .field("twist", entry.twist, NumberOf{Measure::kTwistRate}, kOptional, "Constant twist per length.")
       .field("curve", entry.curve, kCurve, kOptional, "Another curve that is free of stress, cut into the same edges.")
-      .field("axes", entry.axes, AxesOf(), kOptional, "Material axes on that curve; those of the rod when absent.");
+      .field("axes", entry.axes, AxesOf(), kOptional, "Material axes on that curve; those of the rod when absent.")
+      .field("length_factor", entry.length_factor, NumberOf{Measure::kRatio, kPositive}, kOptional,
+             "Natural length over that of the shape that the rest describes; 1 when absent.");
 }
 
 constexpr ObjectOf<NaturalEntry> kNatural{"natural shape"};
@@ -227,10 +234,18 @@ void NaturalOf::read(Reader& reader, const JsonValue& json, Natural& natural) co
   kNatural.read(reader, json, entry);
   if (reader.failed()) return;
   const bool rates = entry.curvature_b || entry.curvature_n || entry.twist;
-  if (rates == entry.curve.has_value()) {
-    return reader.fail(rates ? ErrorCode::kConflict : ErrorCode::kType,
-                       rates ? "a natural shape is either a curve or has constant curvature and twist"
-                             : "the natural shape says nothing",
+  if (rates && entry.curve) {
+    return reader.fail(ErrorCode::kConflict, "a natural shape is either a curve or has constant curvature and twist",
+                       "give \"curve\", or some of \"curvature_b\", \"curvature_n\" and \"twist\"");
+  }
+  const bool described = rates || entry.curve;
+  if (described && entry.shape) {
+    const Reader::Step step(reader, "shape");
+    return reader.fail(ErrorCode::kConflict, "the natural shape is named and described",
+                       "leave out \"shape\", or what else describes it");
+  }
+  if (!described && !entry.shape && !entry.length_factor) {
+    return reader.fail(ErrorCode::kType, "the natural shape says nothing",
                        "give \"curve\", or some of \"curvature_b\", \"curvature_n\" and \"twist\"");
   }
   if (entry.axes && !entry.curve) {
@@ -238,7 +253,10 @@ void NaturalOf::read(Reader& reader, const JsonValue& json, Natural& natural) co
     return reader.fail(ErrorCode::kConflict, "the axes of a natural shape belong to its \"curve\", which is missing",
                        "orient the rod by its own \"axes\"");
   }
-  natural.kind = rates ? Natural::Kind::kCurved : Natural::Kind::kCurve;
+  natural.kind = rates         ? Natural::Kind::kCurved
+                 : entry.curve ? Natural::Kind::kCurve
+                               : entry.shape.value_or(Natural::Kind::kAsDrawn);
+  natural.length_factor = entry.length_factor.value_or(1);
   natural.curvature_b = entry.curvature_b.value_or(0);
   natural.curvature_n = entry.curvature_n.value_or(0);
   natural.twist = entry.twist.value_or(0);
@@ -247,10 +265,13 @@ void NaturalOf::read(Reader& reader, const JsonValue& json, Natural& natural) co
 }
 
 JsonValue NaturalOf::write(const Natural& natural) const {
-  if (natural.kind == Natural::Kind::kAsDrawn) return JsonValue::string("as_drawn");
-  if (natural.kind == Natural::Kind::kStraight) return JsonValue::string("straight");
+  const bool word = natural.kind == Natural::Kind::kAsDrawn || natural.kind == Natural::Kind::kStraight;
+  if (word && natural.length_factor == 1) return ChoiceOf<Natural::Kind>{kNaturalWords}.write(natural.kind);
   NaturalEntry entry;
-  if (natural.kind == Natural::Kind::kCurve) {
+  if (natural.length_factor != 1) entry.length_factor = natural.length_factor;
+  if (word) {
+    entry.shape = natural.kind;
+  } else if (natural.kind == Natural::Kind::kCurve) {
     entry.curve = natural.curve;
     entry.axes = natural.axes;
   } else {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lissom/core/result.h"
+#include "lissom/model/brief.h"
 #include "lissom/model/curve.h"
 #include "lissom/model/expectation.h"
 #include "lissom/model/fabric_test.h"
@@ -51,9 +52,10 @@ struct Natural {
     kCurve,     ///< another curve, with its own axes, cut into the same edges
   };
   Kind kind = Kind::kAsDrawn;
-  double curvature_b = 0;  ///< 1/m, towards b (kappa_1)
-  double curvature_n = 0;  ///< 1/m, towards n (kappa_2)
-  double twist = 0;        ///< rad/m
+  double curvature_b = 0;    ///< 1/m, towards b (kappa_1)
+  double curvature_n = 0;    ///< 1/m, towards n (kappa_2)
+  double twist = 0;          ///< rad/m
+  double length_factor = 1;  ///< natural length over that of the shape above
   std::optional<Curve> curve;
   std::optional<MaterialAxes> axes;  ///< of `curve`; those of the rod when absent
 };
@@ -102,6 +104,7 @@ struct Model {
   std::vector<NamedSet> sets;
   std::vector<Pose> poses;
   std::vector<MotionCase> motions;
+  std::optional<Brief> design;  ///< what `lissom optimize` may change, and to which end
   std::vector<Expectation> expectations;
 
   const Material* material(std::string_view name) const;  ///< own first, then the library; null when unknown

@@ -39,6 +39,8 @@ class PlanMap {
   /// has arcs.
   SparseMatrix position_jacobian(const MatX& controls) const;
   bool linear() const;  ///< no arcs
+  /// The change of position_jacobian' y along v at these controls: zero without arcs. y: (V x 2), v and result: (C x 2).
+  MatX position_curvature(const MatX& controls, const MatX& y, const MatX& v) const;
 
   /// m, (N), of the radii of control points, (C); for r_n and r_b alike. Where a spline dips to nothing between thick and
   /// thin, the radius is a twentieth of the smallest at the ends of the piece.

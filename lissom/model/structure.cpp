@@ -1,7 +1,5 @@
 #include "lissom/model/structure.h"
 
-#include <cmath>
-
 #include "lissom/geometry/frame_strain.h"
 #include "lissom/model/discretize_parts.h"
 
@@ -21,14 +19,9 @@ PairStrain pair_strain(const Frame& first, const Frame& second) {
 }
 
 Frame advanced(const Frame& first, const PairStrain& strain) {
-  // Averaging two normals that differ by the twist shortens them by cos(twist / 2), and turns them half-way.
-  const double c = std::cos(strain.twist / 2), s = std::sin(strain.twist / 2);
-  const Vec3 b = c * first.b + s * first.n, n = c * first.n - s * first.b;
-  const Vec3 kb = (strain.kappa_1 * n - strain.kappa_2 * b) / c;
-  const double size = kb.norm();
-  const Vec3 bend = size > 0 ? Vec3(kb * (2 * std::atan(size / 2) / size)) : Vec3::Zero();
-  const Frame bent = rotated(rotation_from_vector(bend), first);
-  return rotated(rotation_from_vector(strain.twist * bent.t), bent);
+  const FrameT<double> next =
+      advanced<double>({first.t, first.b}, Curvature<double>{strain.kappa_1, strain.kappa_2}, strain.twist);
+  return {next.t, next.b, next.n()};
 }
 
 }  // namespace lissom

@@ -3,6 +3,7 @@
 /// Still without DoFs: `DofLayout` numbers them, `RestState` turns sections and rest shapes into stiffnesses.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ struct StructureEdge {
   Section section;         ///< at the middle of the edge
   Frame drawn;             ///< material frame of the drawn shape
   Frame rest;              ///< material frame of the rest shape; equals `drawn` up to a rigid motion per rod
+  /// The direction that the normal follows, as near as the edge allows, on a rod that is natural as drawn with normals
+  /// from directions; zero elsewhere. What has one follows its drawing by formulas alone.
+  Vec3 natural_normal = Vec3::Zero();
 };
 
 /// An interior vertex of a rod: edge0 arrives, edge1 leaves. Absent where a joint cuts the rod.
@@ -52,9 +56,9 @@ struct StructureRod {
   std::vector<int> nodes;  ///< edges + 1 entries, or as many as edges when closed
   std::vector<int> edges;
   bool closed = false;
-  /// The direction that the normals of all edges follow, on a rod that is natural as drawn; zero where its rest shape is
-  /// described otherwise.
-  Vec3 natural_normal = Vec3::Zero();
+  double length_factor = 1;  ///< natural length over that of the shape that describes it
+  /// Natural curvatures towards b and n (1/m) and twist (rad/m) of a rod with constant ones; nothing for others.
+  std::optional<Vec3> natural_rates;
 };
 
 /// One flat piece of a membrane.

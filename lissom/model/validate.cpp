@@ -252,6 +252,7 @@ Status Model::validate() const {
   for (std::size_t i = 0; i < poses.size() && !check.failed(); ++i) check_pose(check, poses[i], at("", "poses", i));
   for (std::size_t i = 0; i < motions.size() && !check.failed(); ++i)
     check_motion(check, motions[i], at("", "motions", i));
+  if (design && !check.failed()) check_design(check, *design, "/design");
   for (std::size_t i = 0; i < expectations.size() && !check.failed(); ++i) {
     check_expectation(check, expectations[i], at("", "expect", i));
   }

@@ -60,6 +60,7 @@ void check_fabric(Checker& check, const MembraneMaterial& fabric, const std::str
 void check_fabric_test(Checker& check, const FabricTest& test, const std::string& where);
 void check_membrane(Checker& check, const Membrane& membrane, const std::string& where);
 void check_pose(Checker& check, const Pose& pose, const std::string& where);
+void check_design(Checker& check, const Brief& brief, const std::string& where);
 void check_motion(Checker& check, const MotionCase& motion, const std::string& where);
 void check_expectation(Checker& check, const Expectation& expectation, const std::string& where);
 

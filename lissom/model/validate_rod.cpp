@@ -123,6 +123,7 @@ void check_line_normal(Checker& check, const Curve& curve, const MaterialAxes& a
 
 void check_natural(Checker& check, const Rod& rod, const std::string& where) {
   const Natural& natural = rod.natural;
+  check.positive(natural.length_factor, where + "/length_factor", "length factor");
   if (natural.kind == Natural::Kind::kCurved) {
     check.finite(natural.curvature_b, where + "/curvature_b");
     check.finite(natural.curvature_n, where + "/curvature_n");

@@ -67,6 +67,10 @@ constexpr QuantityInfo kQuantities[] = {
      nullptr, PoseUse::kNone},
     {"fitted_modulus", "N/m", "fitted modulus of a strip cut along an axis; x is the warp", kFabricTest | kAxis,
      kFabricTest | kAxis, fitted_modulus, nullptr, PoseUse::kNone},
+    {"designed_parameter", "", "what a parameter becomes in the design of the document", kParameter, 0,
+     designed_parameter, nullptr, PoseUse::kNone},
+    {"design_sensitivity", "", "change of a coordinate of a node over that of a parameter, at the start of the design",
+     kAt | kAxis | kParameter, kAt | kAxis, design_sensitivity},
 
     {"cut_force", "N", "force across a plane, positive in tension", kAt | kAxis, kAt | kAxis, cut_force_all},
     {"membrane_cut_force", "N", "the part of it that membranes carry", kAt | kAxis, kAt | kAxis, cut_force_membranes},
@@ -101,7 +105,8 @@ constexpr FieldName kFieldNames[] = {{kAt, "at"},
                                      {kMode, "mode"},
                                      {kModeKind, "mode_kind"},
                                      {kMembrane, "membrane"},
-                                     {kFabricTest, "fabric_test"}};
+                                     {kFabricTest, "fabric_test"},
+                                     {kParameter, "parameter"}};
 
 /// Which fields an entry gives. `at` of all nodes is the same as none.
 unsigned given_fields(const Expectation& e) {
@@ -117,6 +122,7 @@ unsigned given_fields(const Expectation& e) {
   if (!e.mode_kind.empty()) given |= kModeKind;
   if (!e.membrane.empty()) given |= kMembrane;
   if (!e.fabric_test.empty()) given |= kFabricTest;
+  if (!e.parameter.empty()) given |= kParameter;
   return given;
 }
 

@@ -33,7 +33,8 @@ enum QuantityField : unsigned {
   kMode = 32,
   kModeKind = 64,
   kMembrane = 128,
-  kFabricTest = 256
+  kFabricTest = 256,
+  kParameter = 512
 };
 
 enum class PoseUse {

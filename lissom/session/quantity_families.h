@@ -57,6 +57,10 @@ Result<double> fitted_poisson_ratio(const Measurement& m);
 Result<double> fitted_shear(const Measurement& m);
 Result<double> fitted_modulus(const Measurement& m);
 
+// What a design becomes, and how a shape answers to it.
+Result<double> designed_parameter(const Measurement& m);
+Result<double> design_sensitivity(const Measurement& m);
+
 // Cuts and rings.
 Result<double> cut_force_all(const Measurement& m);
 Result<double> cut_force_membranes(const Measurement& m);

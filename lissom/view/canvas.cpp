@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "lissom/view/svg_compact.h"
+#include "lissom/view/svg_writer.h"
 #include "lissom/view/text.h"
 
 namespace lissom {
@@ -25,6 +26,7 @@ struct Canvas::Surface {
   std::string bytes;
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
+  std::unique_ptr<SvgWriter> writer;  // inline SVG, for which cairo only measures text
 };
 
 Canvas::Canvas(ImageFormat format, int width, int height)
@@ -33,6 +35,9 @@ Canvas::Canvas(ImageFormat format, int width, int height)
   s.format = format;
   if (format == ImageFormat::kPng) {
     s.surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+  } else if (format == ImageFormat::kInlineSvg) {
+    s.writer = std::make_unique<SvgWriter>(width, height);
+    s.surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR, nullptr);
   } else {
     s.surface = cairo_svg_surface_create_for_stream(append, &s.bytes, width, height);
     cairo_svg_surface_set_document_unit(s.surface, CAIRO_SVG_UNIT_PX);
@@ -77,9 +82,13 @@ void set_font(cairo_t* cr, const TextStyle& style) {
 
 }  // namespace
 
-void Canvas::fill(const Color& color) { rectangle(Vec2::Zero(), Vec2(width_, height_), color); }
+void Canvas::fill(const Color& color) {
+  if (surface_->writer) return;  // the ground is the page's
+  rectangle(Vec2::Zero(), Vec2(width_, height_), color);
+}
 
 void Canvas::rectangle(const Vec2& corner, const Vec2& size, const Color& color) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->rectangle(corner, size, color);
   cairo_t* cr = surface_->cr;
   set_color(cr, color);
   cairo_rectangle(cr, corner.x(), corner.y(), size.x(), size.y());
@@ -87,6 +96,7 @@ void Canvas::rectangle(const Vec2& corner, const Vec2& size, const Color& color)
 }
 
 void Canvas::disc(const Vec2& centre, double radius, const Color& color) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->disc(centre, radius, color);
   cairo_t* cr = surface_->cr;
   cairo_new_path(cr);
   set_color(cr, color);
@@ -95,6 +105,7 @@ void Canvas::disc(const Vec2& centre, double radius, const Color& color) {
 }
 
 void Canvas::polygon(std::span<const Vec2> points, const Color& color, double opacity) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->polygon(points, color, opacity);
   cairo_t* cr = surface_->cr;
   trace(cr, points);
   cairo_close_path(cr);
@@ -103,6 +114,7 @@ void Canvas::polygon(std::span<const Vec2> points, const Color& color, double op
 }
 
 void Canvas::outline(std::span<const Vec2> points, const Stroke& stroke) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->polyline(points, stroke, true);
   trace(surface_->cr, points);
   cairo_close_path(surface_->cr);
   set_stroke(surface_->cr, stroke);
@@ -110,12 +122,20 @@ void Canvas::outline(std::span<const Vec2> points, const Stroke& stroke) {
 }
 
 void Canvas::polyline(std::span<const Vec2> points, const Stroke& stroke) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->polyline(points, stroke, false);
   trace(surface_->cr, points);
   set_stroke(surface_->cr, stroke);
   cairo_stroke(surface_->cr);
 }
 
 void Canvas::gradient(const Vec2& corner, const Vec2& size, std::span<const Color> colors) {
+  if (SvgWriter* svg = surface_->writer.get()) {  // a definition would need an id: thin rows of one colour each
+    const double row = size.y() / static_cast<double>(colors.size());
+    for (size_t i = 0; i < colors.size(); ++i) {
+      svg->rectangle(corner + Vec2(0, size.y() - row * static_cast<double>(i + 1)), {size.x(), row}, colors[i]);
+    }
+    return;
+  }
   cairo_t* cr = surface_->cr;
   cairo_pattern_t* pattern = cairo_pattern_create_linear(0, corner.y() + size.y(), 0, corner.y());
   for (size_t i = 0; i < colors.size(); ++i) {
@@ -130,9 +150,10 @@ void Canvas::gradient(const Vec2& corner, const Vec2& size, std::span<const Colo
 
 void Canvas::text(const Vec2& at, const std::string& text, const TextStyle& style) {
   if (text.empty()) return;
+  const double capital_height = 0.73 * style.size;
+  if (SvgWriter* svg = surface_->writer.get()) return svg->text(at, text, style, style.vertical * capital_height);
   cairo_t* cr = surface_->cr;
   const double across = -style.horizontal * text_width(text, style);
-  const double capital_height = 0.73 * style.size;
   cairo_save(cr);
   set_font(cr, style);
   set_color(cr, style.color);
@@ -153,15 +174,20 @@ double Canvas::text_width(const std::string& text, const TextStyle& style) {
 }
 
 void Canvas::clip(const Vec2& corner, const Vec2& size) {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->clip(corner, size);
   cairo_save(surface_->cr);
   cairo_rectangle(surface_->cr, corner.x(), corner.y(), size.x(), size.y());
   cairo_clip(surface_->cr);
 }
 
-void Canvas::unclip() { cairo_restore(surface_->cr); }
+void Canvas::unclip() {
+  if (SvgWriter* svg = surface_->writer.get()) return svg->unclip();
+  cairo_restore(surface_->cr);
+}
 
 Result<std::string> Canvas::finish(const std::string& title) {
   Surface& s = *surface_;
+  if (s.writer) return s.writer->finish(title);
   cairo_status_t status = cairo_status(s.cr);
   if (status == CAIRO_STATUS_SUCCESS && s.format == ImageFormat::kPng) {
     status = cairo_surface_write_to_png_stream(s.surface, append, &s.bytes);

@@ -13,7 +13,11 @@
 
 namespace lissom {
 
-enum class ImageFormat { kPng, kSvg };
+enum class ImageFormat {
+  kPng,
+  kSvg,
+  kInlineSvg,  ///< an <svg> element for an HTML page that sets the colours of page_colors.h; for the light theme
+};
 
 struct Stroke {
   enum class Cap { kButt, kRound };
@@ -61,7 +65,7 @@ class Canvas {
   void clip(const Vec2& corner, const Vec2& size);  ///< until `unclip`
   void unclip();
 
-  /// The bytes of the file. `title` names the picture for screen readers in SVG. Nothing can be drawn afterwards.
+  /// The bytes of the file, or the element. `title` names the picture for screen readers in SVG. Nothing can be drawn afterwards.
   Result<std::string> finish(const std::string& title);
 
  private:

@@ -15,10 +15,12 @@ namespace lissom {
 
 struct ChartAxis {
   enum class Scale { kLinear, kLogarithmic };
+  enum class Numbers { kReal, kWhole };
   std::string label = {};
   std::string unit = {};     ///< as displayed; empty: a pure number
   double display_scale = 1;  ///< shown value = given value * display_scale
   Scale scale = Scale::kLinear;
+  Numbers numbers = Numbers::kReal;           ///< whole: ticks at whole numbers only
   std::optional<double> low = {}, high = {};  ///< ends, as given (before display_scale); absent: fits the data
 };
 
@@ -44,6 +46,7 @@ struct Chart {
   std::vector<ChartSeries> series;
   std::vector<ChartGuide> guides;
   int width = 1000, height = 640;  ///< px
+  double text_size = 0;            ///< px; 0: follows from the size
   Theme theme = Theme::kLight;
 };
 

@@ -80,9 +80,10 @@ ColorRange ColorRange::including(const ColorRange& other) const {
   return {std::min(low, other.low), std::max(high, other.high)};
 }
 
-Color ColorRange::color(Field::Colors colors, double value) const {
+Color ColorRange::color(Field::Colors colors, double value, int steps) const {
   if (std::isnan(value)) return kNoValueColor;
-  return map_color(colors, high > low ? (value - low) / (high - low) : 0.5);
+  const double at = high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
+  return map_color(colors, steps > 0 ? (std::min(std::floor(at * steps), steps - 1.0) + 0.5) / steps : at);
 }
 
 }  // namespace lissom

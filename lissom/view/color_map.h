@@ -39,8 +39,8 @@ struct ColorRange {
   /// Smallest range that contains both.
   ColorRange including(const ColorRange& other) const;
 
-  /// Colour of a value; a range without extent takes the middle of the map.
-  Color color(Field::Colors colors, double value) const;
+  /// Colour of a value; a range without extent takes the middle of the map. Above 0 `steps`: in that many even steps.
+  Color color(Field::Colors colors, double value, int steps = 0) const;
 };
 
 }  // namespace lissom

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 #include "lissom/view/picture_parts.h"
 #include "lissom/view/ticks.h"
@@ -13,108 +12,16 @@ namespace {
 
 constexpr int kPngBudget = 60000, kSvgBudget = 9000;  // pieces per panel
 constexpr double kSeenThrough = 0.2;                  // of rods behind cloth
-
-/// Everything that the panels share.
-struct Shared {
-  std::vector<Vec3> points;   // m, what must be visible
-  std::vector<double> radii;  // m
-  MarkerScale markers;
-  double ground = 0;  // m
-  int supports = 0;
-  ColorKey colors, membrane_colors;
-  ClothMarks marks;
-};
+constexpr double kLineEm = 0.13;                      // width of kLines
+constexpr double kTrackEm = 0.5;  // least width of kTrack: lines in its middle show it on both sides
 
 double em_of(const PictureOptions& options) {
-  return std::sqrt(static_cast<double>(options.width) * options.height) / 85;
+  const double fitting = std::sqrt(static_cast<double>(options.width) * options.height) / 85;
+  return options.text_size > 0 ? options.text_size : fitting;
 }
 
 const Field* field_of(const Drawing& drawing, const std::string& name) {
   return name.empty() ? nullptr : drawing.field(name);
-}
-
-bool shown(const Marker& marker, const PictureOptions& options) {
-  return (marker.kind == Marker::Kind::kForce ? options.forces : options.supports) == Visibility::kShown;
-}
-
-void gather_shape(const std::vector<Panel>& panels, const PictureOptions& options, Shared& shared) {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Panel& panel : panels) {
-    int supports = 0;
-    for (const Layer& layer : panel.layers) {
-      for (const RodStrip& rod : layer.drawing.rods) {
-        for (size_t i = 0; i < rod.points.size(); ++i) {
-          const size_t edge = std::min(i, rod.b.size() - 1);
-          shared.points.push_back(rod.points[i]);
-          shared.radii.push_back(std::max(rod.r_b[edge], rod.r_n[edge]));
-          low = low.cwiseMin(rod.points[i] - Vec3::Constant(shared.radii.back()));
-          high = high.cwiseMax(rod.points[i] + Vec3::Constant(shared.radii.back()));
-        }
-      }
-      const auto see = [&](const Vec3& p) {
-        shared.points.push_back(p);
-        shared.radii.push_back(0);
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      };
-      for (const MembraneSheet& sheet : layer.drawing.membranes)
-        std::for_each(sheet.points.begin(), sheet.points.end(), see);
-      for (const std::vector<Vec3>& guide : layer.guides) std::for_each(guide.begin(), guide.end(), see);
-      for (const Marker& marker : layer.drawing.markers) {
-        if (!shown(marker, options)) continue;
-        supports += marker.kind != Marker::Kind::kForce;
-        shared.markers.largest_force = std::max(shared.markers.largest_force, marker.vector.norm());
-      }
-    }
-    shared.supports = std::max(shared.supports, supports);
-  }
-  const double size = (high - low).norm();
-  shared.ground = low.z();
-  shared.markers.middle = (low + high) / 2;
-  shared.markers.support = 0.035 * size * std::clamp(std::sqrt(12.0 / std::max(1, shared.supports)), 0.25, 1.0);
-  shared.markers.arrow = 0.17 * size;
-  for (const Panel& panel : panels) {
-    for (const Layer& layer : panel.layers) {
-      for (const Marker& marker : layer.drawing.markers) {
-        if (!shown(marker, options)) continue;
-        const bool force = marker.kind == Marker::Kind::kForce;
-        const Arrow arrow = force ? force_arrow(marker, shared.markers) : Arrow{marker.at, marker.at};
-        if (!force) shared.ground = std::min(shared.ground, marker.at.z() - shared.markers.support);
-        for (const Vec3& p : {arrow.tail, arrow.tip}) {
-          shared.points.push_back(p);
-          shared.radii.push_back(force ? 0.08 * shared.markers.arrow : shared.markers.support);
-        }
-      }
-    }
-  }
-  if (options.shadow == Visibility::kShown) {
-    const size_t count = shared.points.size();
-    for (size_t i = 0; i < count; ++i) {
-      shared.points.push_back({shared.points[i].x(), shared.points[i].y(), shared.ground});
-      shared.radii.push_back(0);
-    }
-  }
-}
-
-/// Marks on cloth: slack is hatched when it is known and there is some.
-void gather_marks(const std::vector<Panel>& panels, const PictureOptions& options, double em, const ThemeColors& colors,
-                  Shared& shared) {
-  bool slack = false, pull = false;
-  for (const Panel& panel : panels) {
-    for (const Layer& layer : panel.layers) {
-      if (layer.style != Layer::Style::kSolid) continue;
-      for (const MembraneSheet& sheet : layer.drawing.membranes) {
-        const std::vector<double>& stretch = sheet.smallest_stretch;
-        slack |= std::any_of(stretch.begin(), stretch.end(), [](double s) { return s < 1; });
-        pull |= !sheet.tension.empty();
-      }
-    }
-  }
-  const bool fields = !options.field.empty() || !options.membrane_field.empty();
-  shared.marks.ink = mix(colors.fabric, colors.ink, fields ? 0.75 : 0.45);
-  shared.marks.hem = 0.09 * em;
-  if (slack && options.slack == Visibility::kShown) shared.marks.hatch = 0.6 * em;
-  if (pull && options.tension == Visibility::kShown) shared.marks.stroke = 1.2 * em;
 }
 
 void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& options, const Shared& shared,
@@ -137,7 +44,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
     }
     shadow.paint(canvas);
   }
-  Scene behind(camera), front(camera), through(camera);
+  Scene track(camera), behind(camera), front(camera), through(camera);
   for (const Layer& layer : panel.layers) {
     switch (layer.style) {
       case Layer::Style::kDashed:
@@ -146,9 +53,17 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
       case Layer::Style::kGhost:
         add_rods(behind, camera, layer.drawing, {.plain = colors.ghost, .contrast = 0.3}, budget / 3);
         break;
+      case Layer::Style::kTrack:
+        add_rods(track, camera, layer.drawing, {.plain = layer.ink, .line = 0, .thinnest = kTrackEm * em}, budget / 3);
+        break;
+      case Layer::Style::kLines:
+        break;
       case Layer::Style::kSolid: {
-        const Paint rods{
-            .field = field_of(layer.drawing, options.field), .range = shared.colors.range, .plain = colors.rod};
+        Paint rods{.field = field_of(layer.drawing, options.field),
+                   .range = shared.colors.range,
+                   .plain = colors.rod,
+                   .steps = options.steps};
+        if (options.sections == Sections::kFlat) rods.line = 0;
         const bool own = !options.membrane_field.empty();
         const Paint cloth{.field = field_of(layer.drawing, own ? options.membrane_field : options.field),
                           .range = own ? shared.membrane_colors.range : shared.colors.range,
@@ -164,15 +79,23 @@ void draw_panel(Canvas& canvas, const Panel& panel, const PictureOptions& option
       if (shown(marker, options)) add_marker(front, marker, shared.markers, colors);
     }
   }
+  track.paint(canvas);
   behind.paint(canvas);
   front.paint(canvas);
   through.paint(canvas, kSeenThrough);
+  for (const Layer& layer : panel.layers) {
+    if (layer.style != Layer::Style::kLines) continue;
+    Scene lines(camera);  // of its own: where shapes coincide the later one is seen whole instead of both in patches
+    add_rods(lines, camera, layer.drawing, {.plain = layer.ink, .line = kLineEm * em * layer.weight}, budget / 3);
+    lines.paint(canvas);
+  }
   for (const Layer& layer : panel.layers) {
     for (const std::vector<Vec3>& guide : layer.guides) {
       std::vector<Vec2> page;
       for (const Vec3& p : guide) page.push_back(camera.project(p));
       canvas.polyline(page, guide_stroke);
     }
+    for (const Vec3& p : layer.dots) canvas.disc(camera.project(p), 0.3 * em, layer.ink);
   }
 }
 
@@ -203,16 +126,11 @@ Grid make_grid(int panels, int columns) {
 
 Result<std::string> draw_picture(const std::vector<Panel>& panels, const PictureOptions& options, ImageFormat format) {
   if (Status status = check_picture(panels, options); !status) return status.error();
-  Shared shared;
-  gather_shape(panels, options, shared);
-  shared.colors = color_key(panels, options.field, options.range);
-  shared.membrane_colors = color_key(panels, options.membrane_field, options.membrane_range);
-
   const ThemeColors colors = theme_colors(options.theme);
   Canvas canvas(format, options.width, options.height);
   canvas.fill(colors.page);
   const double em = std::clamp(em_of(options), 7.0, 60.0);
-  gather_marks(panels, options, em, colors, shared);
+  const Shared shared = gather(panels, options, em);
   const bool keys = shared.colors.field != nullptr || shared.membrane_colors.field != nullptr;
   const double margin = 1.6 * em;
 

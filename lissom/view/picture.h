@@ -19,10 +19,15 @@ struct Layer {
     kSolid,   ///< true sections, shaded, coloured by the field; membranes as cloth
     kGhost,   ///< true sections of the rods, light grey, behind everything solid
     kDashed,  ///< dashed centrelines of the rods, behind everything solid
+    kTrack,   ///< rods as flat bands in `ink`, behind everything else: what lines are compared with
+    kLines,   ///< centrelines of the rods in `ink`, over everything solid, layer by layer: shapes that may coincide
   };
   Drawing drawing;
   Style style = Style::kSolid;
   std::vector<std::vector<Vec3>> guides = {};  ///< m, dashed lines over everything: ghost rods of a plan
+  Color ink = {};                              ///< of kTrack, kLines and `dots`
+  double weight = 1;                           ///< of kLines, 1: lines of usual width
+  std::vector<Vec3> dots = {};                 ///< m, points of interest, over everything
 };
 
 struct Panel {
@@ -31,6 +36,11 @@ struct Panel {
 };
 
 enum class Visibility { kShown, kHidden };
+
+enum class Sections {
+  kShaded,  ///< rods as bodies
+  kFlat,    ///< rods as flat bands of their width: smaller, and in exactly the colours of the map
+};
 
 struct PictureOptions {
   int width = 1600, height = 1200;  ///< px
@@ -41,7 +51,10 @@ struct PictureOptions {
   std::optional<ColorRange> range = {};  ///< as stored (SI); absent: fits all panels
   std::string membrane_field = {};       ///< colours the membranes in its stead; empty: `field` does when it can
   std::optional<ColorRange> membrane_range = {};
-  int columns = 0;  ///< of panels; 0: one row up to four panels, then as square as possible
+  Sections sections = Sections::kShaded;
+  int steps = 0;         ///< of the colours of rods; 0: gliding
+  double text_size = 0;  ///< px; 0: follows from the size
+  int columns = 0;       ///< of panels; 0: one row up to four panels, then as square as possible
   Visibility supports = Visibility::kShown;
   Visibility forces = Visibility::kShown;
   Visibility ruler = Visibility::kShown;

@@ -34,6 +34,9 @@ Status check_picture(const std::vector<Panel>& panels, const PictureOptions& opt
         if (std::all_of(guide.begin(), guide.end(), [](const Vec3& p) { return p.allFinite(); })) continue;
         return Error{ErrorCode::kRange, "guides", "a guide has a coordinate that is not a finite number", {}};
       }
+      if (!std::all_of(layer.dots.begin(), layer.dots.end(), [](const Vec3& p) { return p.allFinite(); })) {
+        return Error{ErrorCode::kRange, "dots", "a dot has a coordinate that is not a finite number", {}};
+      }
       if (layer.style != Layer::Style::kSolid) continue;
       if (Status status = check_field(layer.drawing, options.field); !status) return status;
       if (Status status = check_field(layer.drawing, options.membrane_field); !status) return status;

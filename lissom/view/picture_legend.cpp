@@ -50,9 +50,14 @@ void draw_legend(Canvas& canvas, const Legend& legend, const ThemeColors& colors
   const double bar_width = 1.25 * em;
   if (legend.has_values) {
     std::vector<Color> ramp;
+    const int steps = legend.steps;
     const bool flat = !(legend.range.high > legend.range.low);
     for (int k = 0; k <= 32; ++k) ramp.push_back(map_color(legend.colors, flat ? 0.5 : k / 32.0));
-    canvas.gradient({corner.x(), y}, {bar_width, bar}, ramp);
+    if (steps == 0 || flat) canvas.gradient({corner.x(), y}, {bar_width, bar}, ramp);
+    for (int k = 0; k < steps && !flat; ++k) {
+      canvas.rectangle({corner.x(), y + bar * (1 - (k + 1.0) / steps)}, {bar_width, bar / steps},
+                       map_color(legend.colors, (k + 0.5) / steps));
+    }
     const double extent = legend.range.high - legend.range.low;
     for (size_t i = 0; i < ticks.at.size(); ++i) {
       const double at = y + bar * (flat ? 0.5 : 1 - (ticks.at[i] - legend.range.low) / extent);

@@ -18,7 +18,10 @@ struct Paint {
   const Field* field = nullptr;  ///< null: plain
   ColorRange range = {};
   Color plain;
-  double contrast = 1;  ///< of the shading
+  double contrast = 1;              ///< of the shading
+  int steps = 0;                    ///< of the colours; 0: gliding
+  std::optional<double> line = {};  ///< px, width of the flat lines that rods are drawn as; 0: as wide as they are seen
+  double thinnest = 0;              ///< px, of lines that are as wide as their rods are seen
 };
 
 /// How rods lie on membranes, or nothing: half of a rod is above the cloth and is painted after it, half below.
@@ -70,6 +73,7 @@ struct Legend {
   ColorRange found;          ///< smallest and largest value in the picture, in display units
   bool has_missing = false;  ///< some places have no value
   bool has_values = true;
+  int steps = 0;  ///< of the colours; 0: gliding
 };
 
 /// What the field of this name in all solid layers has: nothing when `name` is empty.
@@ -79,6 +83,22 @@ struct ColorKey {
   Legend legend;
 };
 ColorKey color_key(const std::vector<Panel>& panels, const std::string& name, const std::optional<ColorRange>& range);
+
+/// Everything that the panels of a picture share.
+struct Shared {
+  std::vector<Vec3> points;   ///< m, what must be visible
+  std::vector<double> radii;  ///< m
+  MarkerScale markers;
+  double ground = 0;  ///< m
+  int supports = 0;
+  ColorKey colors, membrane_colors;
+  ClothMarks marks;
+};
+
+/// `em`: px.
+Shared gather(const std::vector<Panel>& panels, const PictureOptions& options, double em);
+
+bool shown(const Marker& marker, const PictureOptions& options);
 
 /// Explains marks on cloth below the legends; `at` is the lower left corner. Returns the height in px.
 double draw_marks_legend(Canvas& canvas, const ClothMarks& marks, const ThemeColors& colors, const Vec2& at, double em);

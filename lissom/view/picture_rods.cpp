@@ -36,10 +36,10 @@ struct Cut {
   }
 };
 
-Cut make_cut(const RodStrip& rod, const Camera& camera, double coarseness) {
+Cut make_cut(const RodStrip& rod, const Camera& camera, const Paint& paint, double coarseness) {
   Cut cut;
   const double width = px_width(rod, camera);
-  if (width * (rod.shape == SectionShape::kRectangle ? 1 : 0.9) >= kLineWidth * std::sqrt(coarseness)) {
+  if (!paint.line && width * (rod.shape == SectionShape::kRectangle ? 1 : 0.9) >= kLineWidth * std::sqrt(coarseness)) {
     const int wanted = static_cast<int>(std::lround((5 + 0.9 * std::min(width, 70.0)) / coarseness / 2)) * 2;
     cut.sides = rod.shape == SectionShape::kRectangle ? 4 : std::clamp(wanted, 6, 64);
   }
@@ -80,7 +80,7 @@ class Painter {
     if (paint_.field->place == Field::Place::kNode) {
       value = value * (1 - along) + values[first_ + rod_.end_point(edge)] * along;
     }
-    return paint_.range.color(paint_.field->colors, value);
+    return paint_.range.color(paint_.field->colors, value, paint_.steps);
   }
 
  private:
@@ -125,7 +125,7 @@ class OnCloth {
 };
 
 void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const std::vector<Ring>& rings,
-               const Painter& painter, double longest, const OnCloth& cloth) {
+               const Painter& painter, const Paint& paint, double longest, const OnCloth& cloth) {
   std::vector<Vec3> run;
   Color run_color;
   double run_width = 0, run_length = 0, run_nearer = 0;
@@ -140,7 +140,9 @@ void add_lines(Scene& scene, const Camera& camera, const RodStrip& rod, const st
     const double middle =
         rings[i + 1].edge == a.edge && rings[i + 1].along > 0 ? (a.along + rings[i + 1].along) / 2 : (a.along + 1) / 2;
     const Color color = painter.at(a.edge, middle);
-    const double width = apparent_width(a, rod, end - a.centre, camera);
+    const double fixed = paint.line.value_or(0);
+    const double seen = fixed > 0 ? fixed : apparent_width(a, rod, end - a.centre, camera);
+    const double width = std::max(seen, paint.thinnest);
     if (!run.empty() &&
         (to_bytes(color) != to_bytes(run_color) || run_length > longest || std::abs(width - run_width) > 0.3)) {
       flush();
@@ -232,7 +234,7 @@ void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const 
     cuts.clear();
     int64_t count = 0;
     for (const RodStrip& rod : drawing.rods) {
-      cuts.push_back(make_cut(rod, camera, coarseness));
+      cuts.push_back(make_cut(rod, camera, paint, coarseness));
       count += cuts.back().count();
     }
     if (count <= budget) break;
@@ -251,7 +253,7 @@ void add_rods(Scene& scene, const Camera& camera, const Drawing& drawing, const 
     if (cuts[i].sides > 0) {
       add_tube(scene, rod, rings, cuts[i].sides, painter, paint.contrast, shared, cloth);
     } else {
-      add_lines(scene, camera, rod, rings, painter, coarseness * kLongestLine, cloth);
+      add_lines(scene, camera, rod, rings, painter, paint, coarseness * kLongestLine, cloth);
     }
     first_point += rod.points.size();
     first_edge += rod.b.size();

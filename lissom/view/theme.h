@@ -1,6 +1,8 @@
 #pragma once
 /// Colours of pages.
 
+#include <array>
+
 #include "lissom/view/color_map.h"
 
 namespace lissom {
@@ -35,5 +37,13 @@ constexpr ThemeColors theme_colors(Theme theme) {
           .force = {0.80, 0.40, 0.05},
           .fabric = {0.975, 0.945, 0.89}};
 }
+
+// Okabe and Ito, "Color universal design" (2008): told apart with any common colour vision.
+inline constexpr std::array<Color, 6> kSeriesInk = {{{0.00, 0.45, 0.70},
+                                                     {0.84, 0.37, 0.00},
+                                                     {0.00, 0.62, 0.45},
+                                                     {0.80, 0.47, 0.65},
+                                                     {0.90, 0.62, 0.00},
+                                                     {0.34, 0.71, 0.91}}};
 
 }  // namespace lissom

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lissom/core/pack.h"
 #include "lissom/mechanics/potential.h"
 
 namespace lissom::checks {

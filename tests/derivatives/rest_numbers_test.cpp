@@ -6,6 +6,7 @@
 
 #include "lissom/mechanics/energies.h"
 #include "lissom/mechanics/gradient_by_rest.h"
+#include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_jacobian.h"
 
 namespace lissom {
@@ -58,6 +59,9 @@ Model everything() {
   Rod curved = rod("curved", Polyline{{corner, side}}, SectionShape::kEllipse, {1e-3}, {1e-3});
   curved.natural.kind = Natural::Kind::kCurved;
   curved.natural.curvature_b = 12;
+  curved.natural.curvature_n = -7;
+  curved.natural.twist = 5;
+  curved.natural.length_factor = 1.05;
   model.rods.push_back(curved);
   Pose pose;
   pose.name = "loaded";
@@ -70,6 +74,24 @@ Model everything() {
   pull.at.kind = Selector::Kind::kAll;
   pull.force_per_length = {0.4, -0.1, 0.2};
   pose.edge_loads.push_back(pull);
+  PointForce force;
+  force.at.kind = Selector::Kind::kRod;
+  force.at.name = "lath";
+  force.force = {0.2, -0.3, 0.1};
+  force.shared = true;
+  pose.forces.push_back(force);
+  PointMoment moment;
+  moment.at.kind = Selector::Kind::kRod;
+  moment.at.name = "taper";
+  moment.at.fraction = 1;
+  moment.moment = {1e-3, 2e-3, -1e-3};
+  pose.moments.push_back(moment);
+  SoftPin here, there;
+  here.at = there.at = moment.at;
+  here.stiffness = 30;
+  there.stiffness = 20;
+  there.target = Vec3(0.01, 0.02, 0.06);
+  pose.soft_pins = {here, there};
   model.poses.push_back(pose);
   return model;
 }
@@ -139,7 +161,10 @@ TEST(RestNumbers, StencilsTakeTheirRestQuantitiesFromThem) {
     const System system = system_of(model);
     const auto terms = make_terms(model, system, &model.poses[0], "/poses/0");
     ASSERT_TRUE(terms.ok()) << terms.error().text();
-    const VecX numbers = rest_number_values(system);
+    const VecX of_structure = rest_number_values(system);
+    const VecX of_pose = load_number_values(model.poses[0], system.structure);
+    VecX numbers(of_structure.size() + of_pose.size());
+    numbers << of_structure, of_pose;
     for (const auto& term : terms.value()) {
       SCOPED_TRACE(std::string(term->name()));
       VecX sums = VecX::Zero(term->stencils() * term->rests());
@@ -184,7 +209,9 @@ TEST(RestNumbers, GradientsFollowInputs) {
     const Potential own_potential(other.layout.size(), std::move(own).value());
     AssemblyBuffers buffers;
     VecX gradient;
-    own_potential.gradient(moved, gradient, buffers);
+    State own_state;  // with twists against the joints of this model
+    EXPECT_TRUE(advance(other, moved, VecX::Zero(dq.size()), own_state));
+    own_potential.gradient(own_state, gradient, buffers);
     return gradient;
   };
   const auto compare = [&](const VecX& column, double h, const auto& change) {
@@ -195,6 +222,11 @@ TEST(RestNumbers, GradientsFollowInputs) {
     ASSERT_GT(difference.norm(), 0);
     EXPECT_LT((column - difference).norm(), 1e-6 * difference.norm());
   };
+  compare(exact.col(inputs.length_factor(1)), 1e-5, [](Model& m, double h) { m.rods[1].natural.length_factor += h; });
+  compare(exact.col(inputs.length_factor(3)), 1e-5, [](Model& m, double h) { m.rods[3].natural.length_factor += h; });
+  compare(exact.col(inputs.natural_rate(3, 0)), 1e-3, [](Model& m, double h) { m.rods[3].natural.curvature_b += h; });
+  compare(exact.col(inputs.natural_rate(3, 1)), 1e-3, [](Model& m, double h) { m.rods[3].natural.curvature_n += h; });
+  compare(exact.col(inputs.natural_rate(3, 2)), 1e-3, [](Model& m, double h) { m.rods[3].natural.twist += h; });
   compare(exact.col(inputs.pre_stretch(0, 1)), 1e-5, [](Model& m, double h) { m.membranes[0].pre_stretch[1] += h; });
   compare(exact.col(inputs.sheet_poisson(0)), 1e-5,
           [](Model& m, double h) { m.membrane_materials[0].poisson_ratio += h; });

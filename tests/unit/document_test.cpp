@@ -277,6 +277,7 @@ class RandomModel {
       r.natural.curvature_n = any();
       r.natural.twist = any();
     }
+    if (pick(2)) r.natural.length_factor = positive();
     pick(2) ? r.edges = 3 + pick(1000) : r.edge_length = positive();
     return r;
   }

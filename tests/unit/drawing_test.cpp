@@ -25,8 +25,8 @@ TEST(Drawing, FollowsTheStructure) {
   const Section tube{.shape = SectionShape::kTube, .r_n = 0.02, .r_b = 0.02, .wall = 0.004};
   structure.edges = {{.node0 = 2, .node1 = 0, .rod = 1, .section = tube, .drawn = {}, .rest = {}},
                      {.node0 = 0, .node1 = 1, .rod = 0, .section = {.r_n = 0.1, .r_b = 0.3}, .drawn = {}, .rest = {}}};
-  structure.rods = {{.name = "a", .material = "", .nodes = {0, 1}, .edges = {1}},
-                    {.name = "b", .material = "", .nodes = {2, 0}, .edges = {0}}};
+  structure.rods = {{.name = "a", .material = "", .nodes = {0, 1}, .edges = {1}, .natural_rates = {}},
+                    {.name = "b", .material = "", .nodes = {2, 0}, .edges = {0}, .natural_rates = {}}};
   const std::vector<Vec3> moved = {Vec3(0, 0, 5), Vec3(1, 0, 5), Vec3(2, 0, 6)};
   const std::vector<Frame> frames(2);
   const Drawing drawing = make_drawing(structure, moved, frames);

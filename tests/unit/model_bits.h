@@ -51,7 +51,9 @@ class ModelBits {
   }
   void add(const SectionProfile& x) { add_all(x.shape, x.r_n, x.r_b, x.wall); }
   void add(const MaterialAxes& x) { add_all(x.kind, x.normal, x.normals); }
-  void add(const Natural& x) { add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.curve, x.axes); }
+  void add(const Natural& x) {
+    add_all(x.kind, x.curvature_b, x.curvature_n, x.twist, x.length_factor, x.curve, x.axes);
+  }
   void add(const Rod& x) { add_all(x.name, x.curve, x.material, x.section, x.axes, x.natural, x.edges, x.edge_length); }
   void add(const NetworkFile& x) {
     add_all(x.name, x.file, x.unit, x.rods, x.chain_angle, x.edges_per_piece, x.rod_count, x.notes);
@@ -99,14 +101,50 @@ class ModelBits {
     add_all(x.name, x.start_pose, x.pose, x.duration, x.step, x.record_every, x.adaptive, x.error_tolerance,
             x.rho_infinity, x.mass_damping, x.stiffness_damping, x.roll_inertia, x.load_factor, x.kicks);
   }
+  void add(const RadiiBrief& x) { add_all(x.controls, x.range); }
+  void add(const RestShapeBrief& x) { add_all(x.controls, x.reach, x.gauge); }
+  void add(const LengthBrief& x) { add_all(x.rods, x.factors); }
+  void add(const ModulusBrief& x) { add_all(x.per, x.range); }
+  void add(const FabricBrief& x) {
+    add_all(x.stiffness, x.stiffness_1, x.stiffness_2, x.poisson_ratio, x.thickness, x.pre_stretch);
+  }
+  void add(const NaturalBrief& x) { add_all(x.rods, x.curvature_b, x.curvature_n, x.twist, x.length_factor); }
+  void add(const LoadBrief& x) { add_all(x.kind, x.pose, x.number, x.size, x.xyz[0], x.xyz[1], x.xyz[2]); }
+  void add(const PlanBrief& x) { add_all(x.points, x.radii, x.reach, x.pre_stretch, x.axes); }
+  void add(const MirrorBrief& x) { add_all(x.normal, x.offset, x.tolerance); }
+  void add(const ParameterBrief& x) {
+    add_all(static_cast<int>(x.what.index()), x.mirror, x.freedom);
+    std::visit([this](const auto& what) { add(what); }, x.what);
+  }
+  void add(const GoalValue& x) { add_all(x.kind, x.value); }
+  void add(const PositionsGoal& x) { add_all(x.at, x.targets, x.weights); }
+  void add(const PlaceGoal& x) { add_all(x.at, x.target); }
+  void add(const AngleGoal& x) { add_all(x.from, x.to, x.axis, x.wanted); }
+  void add(const ReactionGoal& x) { add_all(x.at, x.axis, x.wanted); }
+  void add(const AreaGoal& x) { add_all(x.membranes, x.wanted); }
+  void add(const VolumeGoal& x) { add_all(x.membranes, x.wanted); }
+  void add(const MassGoal& x) { add_all(x.rods, x.membranes, x.wanted); }
+  void add(const EnergyGoal& x) { add(x.wanted); }
+  void add(const StretchGoal& x) { add_all(x.membranes, x.wanted); }
+  void add(const StrainGoal& x) { add_all(x.rods, x.wanted); }
+  void add(const StabilityGoal& x) { add(x.wanted); }
+  void add(const GoalBrief& x) {
+    add_all(static_cast<int>(x.what.index()), x.pose, x.strength, x.weight);
+    std::visit([this](const auto& what) { add(what); }, x.what);
+  }
+  void add(const DesignSettings& x) {
+    add_all(x.method, x.control, x.iterations, x.gradient_tolerance, x.decrease_tolerance, x.constraint_tolerance,
+            x.solve_tolerance);
+  }
+  void add(const Brief& x) { add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.settings); }
   void add(const Expectation& x) {
-    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.fraction, x.mode,
-            x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
+    add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.parameter, x.fraction,
+            x.mode, x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
             x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
     add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.fabric_tests,
-            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions,
+            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.design,
             x.expectations);
   }
   template <class... T>

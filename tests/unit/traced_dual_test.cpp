@@ -1,10 +1,10 @@
 /// Third derivatives by a sweep back: closed forms of single functions, and an expression of them all against other duals.
 
+#include "lissom/core/traced_dual.h"
+
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
-
-#include "lissom/core/traced_dual.h"
 
 namespace lissom {
 namespace {
