@@ -28,7 +28,7 @@ void gather(const EnergyTerm& term, const VecX& lambda, const VecX& dq, const Ve
   }
   blocks.dn.assign(static_cast<size_t>(term.stencils()) * term.rests(), 0.0);
   for (const RestLink& link : term.links()) {
-    LISSOM_ASSERT(link.number < dn.size());
+    if (link.number >= dn.size()) continue;  // loads, where only rest numbers are asked for
     blocks.dn[link.entry] += link.factor * dn[link.number];
   }
   blocks.by_q.assign(indices.size(), 0.0);
@@ -66,7 +66,9 @@ void third_derivative(const Potential& potential, const State& state, const VecX
     // Sums in the order of stencils and links, on one thread: they take little of the time.
     const std::span<const int> indices = term->indices();
     for (size_t i = 0; i < indices.size(); ++i) by_q[indices[i]] += blocks.by_q[i];
-    for (const RestLink& link : term->links()) by_numbers[link.number] += link.factor * blocks.by_rest[link.entry];
+    for (const RestLink& link : term->links()) {
+      if (link.number < by_numbers.size()) by_numbers[link.number] += link.factor * blocks.by_rest[link.entry];
+    }
   }
 }
 

@@ -10,7 +10,7 @@ namespace lissom {
 ///   by_q       = d/de (d2V/dq dq) lambda,
 ///   by_numbers = d/de (d2V/dn dq) lambda   at (q + e dq, n + e dn), e = 0.
 /// lambda, dq, by_q: all unknowns, in global axes, whatever the local axes of the potential. dn, by_numbers: as many numbers
-/// as the links of the terms name, or more. The same bytes for any number of threads.
+/// as are wanted; those beyond stay as they are. The same bytes for any number of threads.
 void third_derivative(const Potential& potential, const State& state, const VecX& lambda, const VecX& dq,
                       const VecX& dn, VecX& by_q, VecX& by_numbers, ThreadPool* threads = nullptr);
 
