@@ -196,7 +196,9 @@ class ChangedTerms {
     for (std::size_t i = 0; i < potential.terms().size(); ++i) {
       EnergyTerm& term = potential.term(static_cast<int>(i));
       VecX change = VecX::Zero(term.stencils() * term.rests());
-      for (const RestLink& link : term.links()) change[link.entry] += link.factor * dn[link.number];
+      for (const RestLink& link : term.links()) {
+        if (link.number < dn.size()) change[link.entry] += link.factor * dn[link.number];  // the others are of loads
+      }
       for (int s = 0; s < term.stencils(); ++s) {
         before_.push_back(term.rest(s));
         term.set_rest(s, before_.back() + change.segment(s * term.rests(), term.rests()));

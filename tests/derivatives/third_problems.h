@@ -191,6 +191,7 @@ inline void move_rests(Potential& potential, const Potential& original, const Ve
     std::vector<VecX> rest;
     for (int s = 0; s < term.stencils(); ++s) rest.push_back(before.rest(s));
     for (const RestLink& link : before.links()) {
+      if (link.number >= dn.size()) continue;  // of loads
       rest[link.entry / term.rests()][link.entry % term.rests()] += link.factor * dn[link.number];
     }
     for (int s = 0; s < term.stencils(); ++s) term.set_rest(s, rest[s]);
