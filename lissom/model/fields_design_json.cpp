@@ -40,9 +40,9 @@ struct MethodOf {
 };
 
 /// A load as the key says that names it.
-template <LoadBrief::Kind kind>
+template <LoadBrief::Kind Kind>
 struct LoadEntry {
-  LoadBrief load{kind, {}, 0, {}, {}};
+  LoadBrief load{Kind, {}, 0, {}, {}};
 };
 
 constexpr Measure measure_of(LoadBrief::Kind kind) {
@@ -50,13 +50,13 @@ constexpr Measure measure_of(LoadBrief::Kind kind) {
   return kind == LoadBrief::Kind::kMoment ? Measure::kMoment : Measure::kLength;
 }
 
-template <LoadBrief::Kind kind>
-void describe(Fields& fields, LoadEntry<kind>& entry) {
+template <LoadBrief::Kind Kind>
+void describe(Fields& fields, LoadEntry<Kind>& entry) {
   LoadBrief& load = entry.load;
-  const PairOf range = range_of(measure_of(kind));
+  const PairOf range = range_of(measure_of(Kind));
   fields.field("pose", load.pose, TextOf{false}, kOptional, "Its pose; the only one when absent.")
       .field("number", load.number, IntegerOf{}, kOptional, "Which of the list of the pose, from 0.");
-  if constexpr (kind != LoadBrief::Kind::kPinTarget) {
+  if constexpr (Kind != LoadBrief::Kind::kPinTarget) {
     fields.field("size", load.size, range, kOptional, "Bounds along its present direction.");
   }
   fields.field("x", load.xyz[0], range, kOptional, "Bounds of the component along x.")
