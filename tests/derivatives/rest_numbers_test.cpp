@@ -8,6 +8,7 @@
 #include "lissom/mechanics/gradient_by_rest.h"
 #include "lissom/mechanics/load_numbers.h"
 #include "lissom/mechanics/rest_jacobian.h"
+#include "tests/derivatives/folded_sheet.h"
 
 namespace lissom {
 namespace {
@@ -29,25 +30,9 @@ Rod rod(const char* name, Curve curve, SectionShape shape, std::vector<double> r
 Model everything() {
   Model model;
   model.membrane_materials.push_back({"cloth", 20, 35, 0.25, 4e-4, 0.2, "test"});
-  Membrane sheet;
-  sheet.name = "sheet";
-  sheet.material = "cloth";
-  sheet.pre_stretch = {1.3, 1.15};
-  sheet.warp_angle = 0.4;
-  sheet.bending = 0.7;
-  MembraneMesh mesh;
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 5; ++i) mesh.points.emplace_back(0.02 * i, 0.021 * j + 0.002 * i, 0.004 * ((i * j) % 3));
-  }
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      const int a = 5 * j + i;
-      mesh.triangles.push_back({a, a + 1, a + 6});
-      mesh.triangles.push_back({a, a + 6, a + 5});
-    }
-  }
-  const Vec3 corner = mesh.points[0], far = mesh.points[19], side = mesh.points[4];
-  sheet.shape = std::move(mesh);
+  const Membrane sheet = folded_sheet(5, 0.7);
+  const auto& points = std::get<MembraneMesh>(sheet.shape).points;
+  const Vec3 corner = points[0], far = points[19], side = points[4];
   model.membranes.push_back(sheet);
   const Vec3 top(0.03, 0.03, 0.05);
   model.rods.push_back(rod("taper", Polyline{{corner, top}}, SectionShape::kEllipse, {1e-3, 2e-3}, {2e-3, 1e-3}));

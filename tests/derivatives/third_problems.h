@@ -9,6 +9,7 @@
 
 #include "lissom/mechanics/energies.h"
 #include "tests/derivatives/derivative_checks.h"
+#include "tests/derivatives/folded_sheet.h"
 
 namespace lissom::third {
 
@@ -87,25 +88,9 @@ enum class Contents { kSheet, kSheetWithRods };
 inline Model sheet(Contents contents) {
   Model model;
   model.membrane_materials.push_back({"cloth", 20, 35, 0.25, 4e-4, 0.2, "test"});
-  Membrane sheet;
-  sheet.name = "sheet";
-  sheet.material = "cloth";
-  sheet.pre_stretch = {1.3, 1.15};
-  sheet.warp_angle = 0.4;
-  sheet.bending = 0.7;
-  MembraneMesh mesh;
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) mesh.points.emplace_back(0.02 * i, 0.021 * j + 0.002 * i, 0.004 * ((i * j) % 3));
-  }
-  for (int j = 0; j < 3; ++j) {
-    for (int i = 0; i < 3; ++i) {
-      const int a = 4 * j + i;
-      mesh.triangles.push_back({a, a + 1, a + 5});
-      mesh.triangles.push_back({a, a + 5, a + 4});
-    }
-  }
-  const Vec3 corner = mesh.points[0], far = mesh.points[15], side = mesh.points[3];
-  sheet.shape = std::move(mesh);
+  const Membrane sheet = folded_sheet(4, 0.7);
+  const auto& points = std::get<MembraneMesh>(sheet.shape).points;
+  const Vec3 corner = points[0], far = points[15], side = points[3];
   model.membranes.push_back(sheet);
   Pose pose;
   pose.name = "loaded";
