@@ -41,7 +41,7 @@ format:
 lint:
 	@/usr/bin/env python3 tools/check_layers.py
 	@tools/format.sh --check
-	@tools/lint.sh
+	@/usr/bin/env python3 tools/lint.py
 
 clean:
 	rm -rf build out
