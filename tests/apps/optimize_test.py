@@ -38,7 +38,7 @@ def staged(edges=100):
     def radii(controls):
         return {"radii": {"controls": controls, "range": ["0.5 mm", "3 mm"]}}
     document = bent(edges)
-    document["poses"][0]["soft_pins"] = [{"at": "tip", "stiffness": "0.05 N/m", "target": [190, 0, -48]}]
+    document["poses"][0]["soft_pins"] = [{"at": "tip", "stiffness": "1 N/m", "target": [192, 0, -46]}]
     document["design"].update({
         "stages": [{"parameters": [radii(2)]}, {"parameters": [radii(3)], "iterations": 4}],
         "parameters": [radii(4), {"rest_shape": {"controls": 4, "reach": "10 mm", "gauge": "free"}}],
@@ -77,11 +77,12 @@ class Optimize(tool.ToolTest):
 
     def test_goes_on_to_the_same_bytes(self):
         self.write("beam.lissom", bent())
-        self.run_tool("optimize", "beam.lissom", "-o", "whole")
+        # It ends where a taller section would tip over to the side.
+        self.run_tool("optimize", "beam.lissom", "-o", "whole", code=18)
         iterations = self.result("whole/beam-design.json")["iterations"]
         self.assertGreater(iterations, 3)
         self.run_tool("optimize", "beam.lissom", "-o", "parts", "--iterations", "2", code=12)
-        self.run_tool("optimize", "beam.lissom", "-o", "parts", "--resume", "--threads", "1")
+        self.run_tool("optimize", "beam.lissom", "-o", "parts", "--resume", "--threads", "1", code=18)
         self.assertEqual(self.bytes_of("parts"), self.bytes_of("whole"))
 
     def test_a_killed_run_goes_on_to_the_same_bytes(self):
@@ -105,7 +106,7 @@ class Optimize(tool.ToolTest):
         self.run_tool("optimize", "beam.lissom", "-o", "all", code=12)
         steps = self.result("all/beam-design.checkpoint.json")["steps"]
         self.assertEqual(sorted({step["stage"] for step in steps}), [0, 1, 2])
-        self.assertEqual(sum(step["stage"] == 1 for step in steps), 4)
+        self.assertLessEqual(sum(step["stage"] == 1 for step in steps), 4)
         for before, after in zip(steps, steps[1:]):
             if before["stage"] == after["stage"]:
                 continue  # pins change within stages, and h with them; between stages nothing does
@@ -121,7 +122,7 @@ class Optimize(tool.ToolTest):
                         0.8 * self.result("alone/beam-design.json")["goals"][0]["rms_after"])
         # What was found stands for itself, pins included.
         found = self.result("all/beam-designed.lissom")
-        self.assertNotIn("0.05 N/m", json.dumps(found["poses"]))
+        self.assertNotEqual(found["poses"][0]["soft_pins"][0]["stiffness"], "1 N/m")
         report = (self.folder / "all/beam-design.html").read_text(encoding="utf-8")
         self.assertIn("stage 3", report)
 
@@ -152,7 +153,7 @@ class Optimize(tool.ToolTest):
         _, err = self.run_tool("optimize", "beam.lissom", code=3)
         self.assertIn("/design/stages/1", err)
         document = staged()
-        document["design"]["goals"][0]["hard"] = True
+        document["design"]["goals"] = [{"place": {"at": "tip", "reach": [190, 0, -50]}, "hard": True}]
         self.write("beam.lissom", document)
         _, err = self.run_tool("optimize", "beam.lissom", code=3)
         self.assertIn("soft pins cannot adapt", err)
