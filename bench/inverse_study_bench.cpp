@@ -17,6 +17,7 @@ namespace lissom {
 namespace {
 
 constexpr int kMostIterations = 150;
+constexpr double kMostSeconds = 60;  // of one method on one problem
 constexpr double kGradient = 1e-7, kDecrease = 1e-9;
 
 struct Line {
@@ -41,14 +42,18 @@ Line by(StructureProblem& problem, const OptimizeOptions& options, std::string n
   Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, {}};
   const double begin = now_ms();
   Optimizer optimizer(problem, options);
-  const DesignVerdict verdict = optimizer.run(context);
+  while (optimizer.step(context)) {
+    if (now_ms() - begin < 1e3 * kMostSeconds) continue;
+    line.ending = "out of time";
+    break;
+  }
   line.seconds = 1e-3 * (now_ms() - begin);
   const OptimizerState& state = optimizer.state();
   line.iterations = state.iteration;
   line.effort = problem.effort();
   line.value = problem.value();
   for (const DesignRecord& r : state.records) line.failed += r.attempts.total() - r.attempts[Outcome::kSettled];
-  line.ending = design_verdict_info(verdict).name;
+  if (state.verdict) line.ending = design_verdict_info(*state.verdict).name;
   return line;
 }
 
@@ -56,7 +61,10 @@ template <class Run>
 Line by_library(StructureProblem& problem, const char* name, Run run) {
   Line line{name, 0, 0, {}, 0, problem.value(), 0, {}};
   const double begin = now_ms();
-  const YardstickReport report = run(problem, YardstickOptions{.tolerance = 1e-6, .max_iterations = kMostIterations});
+  const YardstickReport report =
+      run(problem, YardstickOptions{.tolerance = 1e-6, .max_iterations = kMostIterations, .cancelled = [begin] {
+                                      return now_ms() - begin > 1e3 * kMostSeconds;
+                                    }});
   line.seconds = 1e-3 * (now_ms() - begin);
   line.iterations = report.iterations;
   line.failed = report.failed;
