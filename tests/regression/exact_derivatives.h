@@ -15,8 +15,7 @@ inline void expect_exact_derivatives(StructureProblem& problem, const VecX& v, d
   const DesignPoint point = problem.point();
 
   // Dense and matrix-free derivatives agree.
-  EXPECT_LT((problem.gram() * v - problem.jacobian_transposed_times(along)).norm(),
-            1e-9 * (problem.gram() * v).norm());
+  EXPECT_LT((problem.gram() * v - problem.jacobian_transposed_times(along)).norm(), 1e-9 * (problem.gram() * v).norm());
   EXPECT_LT((problem.jacobian_transposed_times(problem.residual()) - gradient).norm(), 1e-9 * gradient.norm());
   // The part beyond Gauss-Newton is there to be seen.
   EXPECT_GT((product - problem.gram() * v).norm(), 1e-2 * product.norm());
