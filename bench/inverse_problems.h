@@ -98,6 +98,15 @@ inline Result<Model> dragged_disc() {
   for (std::size_t i = 0; i < nodes.value().size(); ++i) {
     targets.push_back(places.value()[static_cast<std::size_t>(nodes.value()[i])] + drags[i]);
   }
+  // Held softly where it is, at two points that are not dragged: else it might lie anywhere.
+  for (const char* name : {"w", "s"}) {
+    Selector at;
+    at.kind = Selector::Kind::kPlanPoint;
+    at.name = name;
+    const Result<std::vector<int>> node = select(model, system.value().structure, at, name);
+    if (!node) return node.error();
+    model.poses[0].soft_pins.push_back({at, 20, places.value()[static_cast<std::size_t>(node.value()[0])]});
+  }
   model.design.emplace();
   PlanBrief plan;
   plan.radii = Vec2(0.4e-3, 2e-3);
@@ -126,6 +135,11 @@ inline Model pulled_fabric(double stiffness_1, double stiffness_2, double poisso
     const bool across = std::string_view(name) == "across";
     const Vec3 low_end = across ? Vec3(1, 1e-6, 1) : Vec3(1e-6, 1, 1);
     pose.supports.push_back(scene_models::hold(scene_models::box(Vec3(-1, -1, -1), low_end), SupportKind::kPin));
+    // Kept flat: a sheet without bending wrinkles beside its clamp.
+    Support flat = scene_models::hold(scene_models::box(across ? Vec3(-1, 1e-6, -1) : Vec3(1e-6, -1, -1), Vec3::Ones()),
+                                      SupportKind::kFree);
+    flat.directions = {Vec3::UnitZ()};
+    pose.supports.push_back(flat);
     PointForce load;
     load.at = scene_models::box(across ? Vec3(-1, 0.1 - 1e-6, -1) : Vec3(0.1 - 1e-6, -1, -1), Vec3::Ones());
     load.force = force;

@@ -24,14 +24,14 @@ struct Line {
   std::string method;
   int iterations = 0, failed = 0;
   DesignEffort effort;
-  double seconds = 0, start = 0, value = 0;
+  double seconds = 0, start = 0, value = 0, left = 0;  // left: of the first promise
   std::string ending;
 };
 
 void print(const char* problem, const Line& line) {
-  std::printf("%-20s %-34s %5d %7d %7d %7d %8.2f %12.5e %7d  %s\n", problem, line.method.c_str(), line.iterations,
+  std::printf("%-20s %-34s %5d %7d %7d %7d %8.2f %12.5e %8.1e %6d  %s\n", problem, line.method.c_str(), line.iterations,
               line.effort.solves, line.effort.factorizations, line.effort.back_solves, line.seconds, line.value,
-              line.failed, line.ending.c_str());
+              line.left, line.failed, line.ending.c_str());
   const std::string name = std::string(problem) + ", " + line.method;
   row(name, "iterations", line.iterations, "");
   row(name, "time", line.seconds, "s");
@@ -39,7 +39,7 @@ void print(const char* problem, const Line& line) {
 }
 
 Line by(StructureProblem& problem, const OptimizeOptions& options, std::string name, const Context& context) {
-  Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, {}};
+  Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, 0, {}};
   const double begin = now_ms();
   Optimizer optimizer(problem, options);
   while (optimizer.step(context)) {
@@ -53,13 +53,14 @@ Line by(StructureProblem& problem, const OptimizeOptions& options, std::string n
   line.effort = problem.effort();
   line.value = problem.value();
   for (const DesignRecord& r : state.records) line.failed += r.attempts.total() - r.attempts[Outcome::kSettled];
+  if (!state.records.empty()) line.left = state.records.back().gradient / state.first_gradient;
   if (state.verdict) line.ending = design_verdict_info(*state.verdict).name;
   return line;
 }
 
 template <class Run>
 Line by_library(StructureProblem& problem, const char* name, Run run) {
-  Line line{name, 0, 0, {}, 0, problem.value(), 0, {}};
+  Line line{name, 0, 0, {}, 0, problem.value(), 0, 0, {}};
   const double begin = now_ms();
   const YardstickReport report =
       run(problem, YardstickOptions{.tolerance = 1e-6, .max_iterations = kMostIterations, .cancelled = [begin] {
@@ -136,8 +137,8 @@ int main(int count, char** arguments) {
   lissom::ThreadPool threads(2);
   lissom::Context context;
   context.threads = &threads;
-  std::printf("%-20s %-34s %5s %7s %7s %7s %8s %12s %7s\n", "problem", "method", "iter.", "solves", "factor.", "backs.",
-              "s", "h", "failed");
+  std::printf("%-20s %-34s %5s %7s %7s %7s %8s %12s %8s %6s\n", "problem", "method", "iter.", "solves", "factor.",
+              "backs.", "s", "h", "left", "failed");
   bool good = true;
   for (const lissom::inverse::Case& c : lissom::inverse::kCases) {
     if (problem != nullptr && std::strstr(c.name, problem) == nullptr) continue;

@@ -47,6 +47,7 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
   const double small = tolerance * std::max(g.cwiseAbs().maxCoeff(), 1e-300);
   FreeFactor factor;
   int interior = 0;  // factorisations of interior points
+  bool stuck = false, tried = false;
   std::vector<int> free;
   VecX image = b * out.x, gradient(m);
   for (;; ++out.iterations) {
@@ -66,7 +67,8 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
       return out;
     }
     if (out.iterations >= max_iterations) return out;
-    if (out.iterations == kBeforeInterior) {
+    if (!tried && (stuck || out.iterations == kBeforeInterior)) {
+      tried = true;
       const VecX x = from_interior(b, factor.damping(), g, lower, upper, interior);
       out.factorizations = interior + factor.factorizations();
       const auto value = [&](const VecX& at, const VecX& image_at) {
@@ -95,10 +97,11 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
       out.x = trial;
       image += moved_image;
     }
-    if (!moved) {  // rounding
-      out.converged = left <= 1e3 * small;
-      return out;
-    }
+    if (moved) continue;
+    // Rounding, or a step so long that no part of it fits.
+    out.converged = left <= 1e3 * small;
+    if (out.converged || stuck) return out;
+    stuck = true;
   }
 }
 

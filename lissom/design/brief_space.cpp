@@ -1,6 +1,7 @@
 #include "lissom/design/brief_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <numeric>
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double kMirrorTolerance = 1e-4;  // of the size of the structure
 constexpr double kRounding = 1e-9;         // of a radius at its bound
+constexpr double kSameRadius = 1e-6;       // of a radius that the space has kept
 
 ControlStage stage_of(int controls) { return static_cast<ControlStage>(controls); }
 
@@ -30,15 +32,22 @@ Result<SpacePtr> shared(Result<Space> space) {
   return SpacePtr(std::make_shared<const Space>(std::move(space).value()));
 }
 
-/// The space begins at the nearest radii that it has; those of the document have to be among them.
-Status check_start(const RadiiBrief& radii, const Structure& structure) {
-  for (const StructureEdge& edge : structure.edges) {
-    for (const double r : {edge.section.r_n, edge.section.r_b}) {
+/// The space begins at the nearest radii that it has; those of the document have to be among them. Between controls they may
+/// be outside of the range by what the space itself leaves there.
+Status check_start(const RadiiBrief& radii, const LinearSpace& space, const Structure& structure) {
+  const Result<Design> start = space.at(space.start());
+  if (!start) return start.error();
+  for (std::size_t e = 0; e < structure.edges.size(); ++e) {
+    const Section& has = structure.edges[e].section;
+    const Section& gets = start.value().system.structure.edges[e].section;
+    for (const auto& [r, kept] : {std::pair(has.r_n, gets.r_n), std::pair(has.r_b, gets.r_b)}) {
       if (r >= radii.range[0] * (1 - kRounding) && r <= radii.range[1] * (1 + kRounding)) continue;
-      return Error{ErrorCode::kRange, "radii/range",
-                   fmt::format("rod \"{}\" has a radius of {:.4g} mm, which is outside of {:.4g} to {:.4g} mm",
-                               structure.rods[edge.rod].name, 1e3 * r, 1e3 * radii.range[0], 1e3 * radii.range[1]),
-                   "widen the range, or start from other radii"};
+      if (std::abs(kept - r) <= kSameRadius * r) continue;
+      return Error{
+          ErrorCode::kRange, "radii/range",
+          fmt::format("rod \"{}\" has a radius of {:.4g} mm, which is outside of {:.4g} to {:.4g} mm",
+                      structure.rods[structure.edges[e].rod].name, 1e3 * r, 1e3 * radii.range[0], 1e3 * radii.range[1]),
+          "widen the range, or start from other radii"};
     }
   }
   return {};
@@ -49,8 +58,10 @@ struct SpaceMaker {
   const SpacePtr& plan;  ///< made before, for it makes the base
 
   Result<SpacePtr> operator()(const RadiiBrief& radii) const {
-    if (const Status s = check_start(radii, base->system.structure); !s) return s.error();
-    return shared(radii_space(base, stage_of(radii.controls), radii.range));
+    Result<LinearSpace> space = radii_space(base, stage_of(radii.controls), radii.range);
+    if (!space) return space.error();
+    if (const Status s = check_start(radii, space.value(), base->system.structure); !s) return s.error();
+    return shared(std::move(space));
   }
   Result<SpacePtr> operator()(const RestShapeBrief& shape) const {
     const RestShapeGauge gauge =

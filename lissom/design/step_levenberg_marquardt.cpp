@@ -30,7 +30,7 @@ class LevenbergMarquardt final : public StepMethod {
     const double predicted = -(g.dot(d) + 0.5 * d.dot(gram * d));
     const bool whole = state.damping < 1 && d.cwiseAbs().maxCoeff() < state.cap;
     if (work.promises_too_little(predicted, whole ? Iteration::Cut::kWhole : Iteration::Cut::kCut)) {
-      return StepEnd::kNothingLeft;
+      return work.without_promise();
     }
     const double change = work.change(d);
     if (work.cancelled() && !std::isfinite(change)) return StepEnd::kCancelled;

@@ -83,6 +83,10 @@ bool Iteration::promises_too_little(double predicted, Cut cut) {
          (cut == Cut::kWhole && predicted <= options.decrease_tolerance * std::abs(problem.value()));
 }
 
+StepEnd Iteration::without_promise() const {
+  return record.predicted > 0 || below_rounding(record.gradient) ? StepEnd::kNothingLeft : StepEnd::kExhausted;
+}
+
 StepEnd Iteration::after_failure(const VecX& d, double predicted) const {
   if (below_rounding(predicted)) return StepEnd::kNothingLeft;
   return d.cwiseAbs().maxCoeff() < 2 * options.least_step ? StepEnd::kExhausted : StepEnd::kRejected;

@@ -51,6 +51,8 @@ class Iteration {
   /// The predicted decrease is recorded; whether it is too small to go on. `whole`: nothing but bounds has cut the step.
   enum class Cut { kWhole, kCut };
   bool promises_too_little(double predicted, Cut cut);
+  /// Ends an iteration whose promise is too little: a model that promises nothing where the gradient does has failed.
+  StepEnd without_promise() const;
   /// Ends an iteration none of whose steps was any good, the last one d: whether there are shorter ones.
   StepEnd after_failure(const VecX& d, double predicted) const;
 

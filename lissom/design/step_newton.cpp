@@ -32,7 +32,7 @@ class ExactNewton final : public StepMethod {
     work.record.hessian_products = model.products;
     const bool cut = model.negative_curvature || model.x.cwiseAbs().maxCoeff() >= state.cap * (1 - 1e-9);
     if (work.promises_too_little(model.decrease, cut ? Iteration::Cut::kCut : Iteration::Cut::kWhole)) {
-      return StepEnd::kNothingLeft;
+      return work.without_promise();
     }
     if (work.context.cancelled()) return StepEnd::kCancelled;
     const double change = work.change(model.x);

@@ -36,12 +36,18 @@ Proposal propose(Iteration& work, const MatX& model) {
   return p;
 }
 
+/// Where the model promises nothing: J'J alone may.
+StepEnd without_promise(Iteration& work) {
+  const StepEnd end = work.without_promise();
+  return end == StepEnd::kExhausted && forget_secants(work) ? StepEnd::kRejected : end;
+}
+
 class LineSearch final : public StepMethod {
  public:
   StepEnd iterate(Iteration& work) const override {
     OptimizerState& state = work.state;
     const Proposal p = propose(work, secant_model(work));
-    if (work.promises_too_little(p.predicted, p.cut)) return StepEnd::kNothingLeft;
+    if (work.promises_too_little(p.predicted, p.cut)) return without_promise(work);
     const double length = p.d.cwiseAbs().maxCoeff();
     const bool full = length >= state.cap * (1 - 1e-9);
     const bool blind = work.below_rounding(p.predicted);
@@ -72,7 +78,7 @@ class TrustRegion final : public StepMethod {
  public:
   StepEnd iterate(Iteration& work) const override {
     const Proposal p = propose(work, secant_model(work));
-    if (work.promises_too_little(p.predicted, p.cut)) return StepEnd::kNothingLeft;
+    if (work.promises_too_little(p.predicted, p.cut)) return without_promise(work);
     const double change = work.change(p.d);
     if (work.cancelled() && !std::isfinite(change)) return StepEnd::kCancelled;
     const StepEnd end = judge_by_radius(work, p.d, p.predicted, change);

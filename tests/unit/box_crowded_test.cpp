@@ -55,6 +55,24 @@ TEST(BoxCrowded, IsSolvedToTheEnd) {
   }
 }
 
+/// Nearly of rank one, in a box that is tiny beside the Newton step: no part of that step, clipped, goes down.
+TEST(BoxCrowded, StepsThatDoNotFitAreNoEnd) {
+  for (int seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::normal_distribution<double> normal;
+    const auto any = [&] { return normal(random); };
+    const VecX v = VecX::NullaryExpr(8, any), w = VecX::NullaryExpr(8, any);
+    Crowd c{v * v.transpose() + 1e-3 * w * w.transpose() + 1e-12 * MatX::Identity(8, 8), {}, {}, {}};
+    c.g = -50 * v + 5 * w + VecX::NullaryExpr(8, any);
+    c.lower = VecX::Constant(8, -0.0156);
+    c.upper = VecX::Constant(8, 0.0156);
+    const BoxQpSolution s = solve_box_qp(c.b, c.g, c.lower, c.upper);
+    EXPECT_TRUE(s.converged) << seed;
+    // The least of a linear model over the box is near, as the curvature has no room to matter.
+    EXPECT_LT(c.value(s.x), -0.9 * 0.0156 * c.g.cwiseAbs().sum()) << seed;
+  }
+}
+
 TEST(BoxCrowded, InteriorPointsComeNear) {
   for (const unsigned seed : {1u, 2u}) {
     Crowd c = crowd(60, 6, 0.5, seed);
