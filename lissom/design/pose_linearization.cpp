@@ -80,51 +80,59 @@ MatX PoseLinearization::dense() const {
   return jacobian;
 }
 
-VecX PoseLinearization::hessian_times(const VecX& v, ThreadPool* threads) const {
+PoseLinearization::Lagrangian PoseLinearization::lagrangian_times(const VecX& multiplier, const VecX& dq, const VecX& v,
+                                                                  ThreadPool* threads) const {
   const Design& design = point_.design;
   const Potential& potential = point_.problem.potential;
-  const VecX h_q = by_q_.transpose() * residual_, h_n = by_numbers_.transpose() * residual_;
-  VecX local_h_q = h_q;
-  potential.to_local(local_h_q);
-  const VecX local_multiplier = -sensitivity_.back_solve(local_h_q, Sensitivity::Side::kTransposed);
-  VecX multiplier = local_multiplier;
-  potential.to_global(multiplier);
-
-  // L = h + multiplier' gradient along (s, dn) [mathematics 5.2].
-  const VecX s = sensitivity_.forward(v), dn = sensitivity_.numbers() * v;
+  VecX global_multiplier = multiplier;
+  potential.to_global(global_multiplier);
+  const VecX dn = sensitivity_.numbers() * v;
   const int rests = RestNumbers(design.system.structure).size();
   const VecX d_rest = dn.head(rests);
-  VecX l_q = VecX::Zero(s.size()), l_rest = VecX::Zero(rests);
+  VecX l_q = VecX::Zero(dq.size()), l_rest = VecX::Zero(rests);
   for (const Goal* goal : goals_) {
-    add_goal_second_order(*goal, point_.shape(), SecondOrder::kExact, s, d_rest, l_q, l_rest);
+    add_goal_second_order(*goal, point_.shape(), SecondOrder::kExact, dq, d_rest, l_q, l_rest);
   }
   VecX third_q, third_n;
-  third_derivative(potential, point_.state, multiplier, s, dn, third_q, third_n, threads);
+  third_derivative(potential, point_.state, global_multiplier, dq, dn, third_q, third_n, threads);
   l_q += third_q;
   VecX l_n = third_n;
   l_n.head(rests) += l_rest;
   potential.to_local(l_q);
-  const VecX change = -sensitivity_.back_solve(l_q, Sensitivity::Side::kTransposed);  // of the multiplier
-  l_n += sensitivity_.gradient_by_numbers().transpose() * change;
-  VecX result = sensitivity_.numbers().transpose() * l_n;
+  VecX by_p = sensitivity_.numbers().transpose() * l_n;
   const bool holds = sensitivity_.held().cols() > 0;
-  if (holds) result += sensitivity_.held().transpose() * (l_q + sensitivity_.hessian_times(change));
+  if (holds) by_p += sensitivity_.held().transpose() * l_q;
+  if (point_.jacobian.inputs.cols() == 0) return {std::move(l_q), std::move(by_p)};
 
   // How numbers and held places follow the parameters to second order.
-  if (point_.jacobian.inputs.cols() == 0) return result;
-  const VecX by_numbers = h_n + sensitivity_.gradient_by_numbers().transpose() * local_multiplier;
+  const VecX h_n = by_numbers_.transpose() * residual_;
+  const VecX by_numbers = h_n + sensitivity_.gradient_by_numbers().transpose() * multiplier;
   const VecX by_rest = by_numbers.head(rests);
-  result += point_.jacobian.inputs.transpose() *
-            rest_curvature(design.model, design.system, by_rest, point_.jacobian.inputs * v);
+  by_p += point_.jacobian.inputs.transpose() *
+          rest_curvature(design.model, design.system, by_rest, point_.jacobian.inputs * v);
   VecX by_inputs = rest_jacobian(design.model, design.system).transpose() * by_rest;
   const int places = 3 * design.system.layout.nodes();
   const LoadNumbers loads(point_.shape().pose, design.system.structure);
   if (loads.has_drawn_targets()) by_inputs.head(places) += by_numbers.tail(places);
   if (holds) {
-    const VecX by_held = local_h_q + sensitivity_.hessian_times(local_multiplier);
+    VecX by_held = by_q_.transpose() * residual_;
+    potential.to_local(by_held);
+    by_held += sensitivity_.hessian_times(multiplier);
     by_inputs.head(places) += point_.problem.supports.held_by_places(design.system).transpose() * by_held;
   }
-  return result + point_.space.curvature(design, point_.p, by_inputs, v);
+  by_p += point_.space.curvature(design, point_.p, by_inputs, v);
+  return {std::move(l_q), std::move(by_p)};
+}
+
+VecX PoseLinearization::hessian_times(const VecX& v, ThreadPool* threads) const {
+  VecX local_h_q = by_q_.transpose() * residual_;
+  point_.problem.potential.to_local(local_h_q);
+  const VecX multiplier = -sensitivity_.back_solve(local_h_q, Sensitivity::Side::kTransposed);
+  // L = h + multiplier' gradient along (s, v) [mathematics 5.2].
+  Lagrangian l = lagrangian_times(multiplier, sensitivity_.forward(v), v, threads);
+  const VecX change = -sensitivity_.back_solve(l.by_q, Sensitivity::Side::kTransposed);  // of the multiplier
+  l.by_p += sensitivity_.forces().transpose() * change;
+  return l.by_p;
 }
 
 }  // namespace lissom

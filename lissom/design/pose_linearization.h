@@ -30,12 +30,27 @@ class PoseLinearization {
                                         std::vector<const Goal*> goals);
 
   const VecX& residual() const { return residual_; }
+  /// d r / d unknowns (residuals x unknowns, global axes) and d r / d numbers (residuals x those of Sensitivity::numbers), each
+  /// at fixed others.
+  const SparseRows& by_q() const { return by_q_; }
+  const SparseRows& by_numbers() const { return by_numbers_; }
+  const Sensitivity& sensitivity() const { return sensitivity_; }
 
   /// J v and J' w, one back solve each.
   VecX times(const VecX& v) const;
   VecX transposed_times(const VecX& w) const;
   /// J, (residuals x m), by as many back solves as it has rows or columns, whichever are fewer.
   MatX dense() const;
+
+  /// Second derivatives of the Lagrangian 1/2 |r|^2 + multiplier' (gradient of the energy) along increments dq of all
+  /// unknowns (global axes), those that are held included, and v of the parameters. The multiplier (unknowns, local axes, 0
+  /// where held) is fixed; the state need not be in equilibrium.
+  struct Lagrangian {
+    VecX by_q;  ///< (unknowns), local axes
+    VecX by_p;  ///< (m), held unknowns following the parameters
+  };
+  Lagrangian lagrangian_times(const VecX& multiplier, const VecX& dq, const VecX& v,
+                              ThreadPool* threads = nullptr) const;
 
   /// Hessian of 1/2 |r|^2 times v: three back solves and third derivatives of the energy.
   VecX hessian_times(const VecX& v, ThreadPool* threads = nullptr) const;

@@ -37,6 +37,8 @@ class Sensitivity {
   const SparseMatrix& gradient_by_numbers() const { return by_numbers_; }
   /// d held unknowns / d p, (unknowns x m), rows in local axes; no columns where nothing that is held moves.
   const SparseMatrix& held() const { return held_; }
+  /// d gradient / d p at fixed free unknowns, held ones following p, (unknowns x m), rows in local axes.
+  const SparseMatrix& forces() const { return forces_; }
   enum class Side { kForward, kTransposed };
   /// (H + N)^-1 w, or that of the transpose, over the unknowns that are free, 0 for those that are held; local axes in and
   /// out. N: what turning a joint does to the gradient of all else there that the symmetric H leaves out, where moments with
@@ -55,7 +57,7 @@ class Sensitivity {
   const StaticProblem* problem_ = nullptr;
   const LinearSolver* factor_ = nullptr;
   SparseMatrix numbers_, by_numbers_, held_;
-  SparseMatrix forces_;          // d gradient / d p at fixed free unknowns, (unknowns x m), local axes
+  SparseMatrix forces_;
   std::vector<int> turned_;      // free unknowns on which N acts
   MatX skew_, reach_;            // N on these, and H^-1 of their unit vectors (free unknowns x turned)
   std::vector<double> hessian_;  // values in the order of the potential's pattern

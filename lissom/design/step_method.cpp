@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kHidden = 64 * kEpsilon;  // of h: promises that rounding hides
+constexpr double kNoPromise = 1e-8;        // of h: what is left of a gradient that no step is made of
 constexpr double kSame = 4 * kEpsilon;     // of h: changes that may be none
 
 }  // namespace
@@ -84,7 +85,8 @@ bool Iteration::promises_too_little(double predicted, Cut cut) {
 }
 
 StepEnd Iteration::without_promise() const {
-  return record.predicted > 0 || below_rounding(record.gradient) ? StepEnd::kNothingLeft : StepEnd::kExhausted;
+  const bool gained = record.predicted > 0 || record.gradient <= kNoPromise * std::abs(problem.value());
+  return gained ? StepEnd::kNothingLeft : StepEnd::kExhausted;
 }
 
 StepEnd Iteration::after_failure(const VecX& d, double predicted) const {

@@ -51,6 +51,8 @@ class StructureProblem final : public ReducedProblem {
   const DesignSpace& space() const { return *space_; }
   const Design& design() const { return design_; }
   const std::vector<Goal>& goals() const { return goals_; }
+  const std::vector<ParameterGoal>& wishes() const { return wishes_; }
+  const StructureProblemOptions& options() const { return options_; }
   std::vector<GoalMeasure> measures() const;
   /// Poses that have a goal, ascending, and their equilibria at the point.
   const std::vector<std::unique_ptr<PoseFollower>>& poses() const { return poses_; }

@@ -11,6 +11,7 @@
 #include "lissom/mechanics/load_numbers.h"
 #include "scenes/parts.h"
 #include "tests/regression/design_samples.h"
+#include "tests/regression/loaded_frame.h"
 
 namespace lissom {
 namespace {
@@ -20,61 +21,14 @@ using samples::design_at;
 using samples::expect_consistent;
 using samples::expect_input_jacobian;
 using samples::expect_sensitivities;
+using samples::loaded_frame;
 using samples::made;
 using samples::uneven;
-
-/// Two rods that meet, with every kind of load and support.
-Model frame(JointKind joints) {
-  Model model;
-  const Vec3 foot(0, 0, 0), knee(0.1, 0.02, 0.08), tip(0.22, -0.01, 0.05);
-  model.rods.push_back(scene_models::round_rod("leg", Spline{{foot, Vec3(0.04, 0, 0.05), knee}}, 2e-3, "PLA", 6));
-  model.rods.push_back(scene_models::round_rod("arm", Polyline{{knee, tip}}, 1.5e-3, "PLA", 6));
-  for (Rod& rod : model.rods) rod.axes.kind = MaterialAxes::Kind::kTransport;
-  model.joint_kind = joints;
-  const auto at = [](const char* rod, double place) { return scene_models::rod_place(rod, place); };
-  Pose pose;
-  pose.name = "loaded";
-  Support clamp = scene_models::hold(at("leg", 0), SupportKind::kClamp);
-  clamp.move = {2e-3, -1e-3, 3e-3};
-  Support rail = scene_models::hold(at("arm", 1), SupportKind::kFree);
-  rail.directions = {Vec3(1, 0, 1).normalized()};
-  rail.move = {4e-3, 0, -2e-3};
-  pose.supports = {clamp, rail};
-  PointForce shared;
-  shared.at = at("arm", -1);
-  shared.force = {0.2, 0.4, -0.6};
-  shared.shared = true;
-  PointForce one;
-  one.at = at("arm", 0.5);
-  one.force = {0, 0.3, 0.1};
-  one.scaling = Scaling::kConstant;
-  pose.forces = {shared, one};
-  PointMoment moment;
-  moment.at = at("arm", 1);
-  moment.moment = {5e-3, -4e-3, 8e-3};
-  pose.moments = {moment};
-  LineLoad wind;
-  wind.rods = {"leg"};
-  wind.force_per_length = {1, 2, -0.5};
-  pose.line_loads = {wind};
-  pose.gravity = Gravity{};
-  SoftPin there, here;
-  there.at = at("leg", 0.5);
-  there.stiffness = 40;
-  there.target = Vec3(0.05, 0.02, 0.06);
-  here.at = at("leg", 1);
-  here.stiffness = 25;
-  pose.soft_pins = {there, here};
-  model.poses = {Pose{}, pose};
-  model.poses[0].name = "other";
-  model.poses[0].supports = {clamp};
-  return model;
-}
 
 constexpr JointKind kJoints[] = {JointKind::kExplicit, JointKind::kCorotational};
 
 TEST(LoadSpaces, NumbersAreThoseOfThePose) {
-  const auto base = base_of(frame(JointKind::kExplicit));
+  const auto base = base_of(loaded_frame(JointKind::kExplicit));
   const Pose& pose = base->model.poses[1];
   const LoadNumbers numbers(pose, base->system.structure);
   const VecX values = load_number_values(pose, base->system.structure);
@@ -89,7 +43,7 @@ TEST(LoadSpaces, NumbersAreThoseOfThePose) {
 
 TEST(LoadSpaces, SensitivitiesToLoadsPinsAndMoves) {
   for (const JointKind joints : kJoints) {
-    const auto base = base_of(frame(joints));
+    const auto base = base_of(loaded_frame(joints));
     const auto choice = [](LoadKind kind, int index, LoadPart part, double low, double high) {
       return LoadChoice{kind, 1, index, part, {low, high}};
     };
@@ -120,7 +74,7 @@ TEST(LoadSpaces, SensitivitiesToLoadsPinsAndMoves) {
 /// Pins without a target and all that is held follow the rest shape; loads and moves are beside it.
 TEST(LoadSpaces, TogetherWithTheRestShape) {
   for (const JointKind joints : kJoints) {
-    const auto base = base_of(frame(joints));
+    const auto base = base_of(loaded_frame(joints));
     const auto shape = std::make_shared<const LinearSpace>(
         made(rest_shape_space(base, {ControlStage::kMiddle, 0.02, RestShapeGauge::kFree})));
     const auto loads = std::make_shared<const LinearSpace>(
@@ -135,7 +89,7 @@ TEST(LoadSpaces, TogetherWithTheRestShape) {
 }
 
 TEST(LoadSpaces, WhatCannotBeIsNamed) {
-  const auto base = base_of(frame(JointKind::kExplicit));
+  const auto base = base_of(loaded_frame(JointKind::kExplicit));
   const auto refused = [&](const std::vector<LoadChoice>& choices) {
     const Result<LinearSpace> space = load_space(base, choices);
     EXPECT_FALSE(space);
