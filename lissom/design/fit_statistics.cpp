@@ -12,7 +12,7 @@ namespace lissom {
 
 namespace {
 
-using State = ParameterCertainty::State;
+using Certainty = ParameterCertainty::State;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Of the largest: what equilibria and their derivatives resolve.
@@ -37,11 +37,11 @@ Columns effective(const MatX& jacobian, const std::vector<FittedParameter>& para
   for (int i = 0; i < m; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (parameters[k].bound == FittedParameter::Bound::kLower) {
-      out.parameters[k].state = State::kAtLowerBound;
+      out.parameters[k].state = Certainty::kAtLowerBound;
     } else if (parameters[k].bound == FittedParameter::Bound::kUpper) {
-      out.parameters[k].state = State::kAtUpperBound;
+      out.parameters[k].state = Certainty::kAtUpperBound;
     } else if (!(effect[i] > least)) {
-      out.parameters[k].state = State::kUndetermined;
+      out.parameters[k].state = Certainty::kUndetermined;
     } else {
       columns.numbers.push_back(i);
     }
@@ -89,7 +89,7 @@ MatX inverse_gram(const Columns& columns, FitStatistics& out) {
     std::vector<int> numbers;
     for (const Eigen::Index j : group) numbers.push_back(columns.numbers[static_cast<std::size_t>(j)]);
     std::sort(numbers.begin(), numbers.end());
-    for (const int j : numbers) out.parameters[static_cast<std::size_t>(j)].state = State::kUndetermined;
+    for (const int j : numbers) out.parameters[static_cast<std::size_t>(j)].state = Certainty::kUndetermined;
     out.combinations.push_back(std::move(numbers));
   }
   return columns.length.cwiseInverse().asDiagonal() * inverse * columns.length.cwiseInverse().asDiagonal();
@@ -109,7 +109,7 @@ FitStatistics fit_statistics(const MatX& jacobian, const VecX& residual, const s
   LISSOM_ASSERT(jacobian.rows() == residual.size() && m == static_cast<Eigen::Index>(parameters.size()));
   FitStatistics out;
   out.residuals = static_cast<int>(residual.size());
-  out.parameters.assign(parameters.size(), {State::kDetermined, kNone, kNone});
+  out.parameters.assign(parameters.size(), {Certainty::kDetermined, kNone, kNone});
   out.correlation = MatX::Constant(m, m, kNone);
   const Columns columns = effective(jacobian, parameters, out);
   const MatX inverse = inverse_gram(columns, out);
@@ -120,11 +120,11 @@ FitStatistics fit_statistics(const MatX& jacobian, const VecX& residual, const s
   for (Eigen::Index k = 0; k < columns.length.size(); ++k) {
     const auto i = static_cast<std::size_t>(columns.numbers[static_cast<std::size_t>(k)]);
     ParameterCertainty& own = out.parameters[i];
-    if (own.state != State::kDetermined) continue;
+    if (own.state != Certainty::kDetermined) continue;
     certain.push_back(k);
     own.standard_error = out.deviation * std::sqrt(inverse(k, k));
     own.half_width = out.quantile * own.standard_error;
-    if (own.half_width > parameters[i].reach) own.state = State::kUncertain;
+    if (own.half_width > parameters[i].reach) own.state = Certainty::kUncertain;
   }
   for (const Eigen::Index a : certain) {
     for (const Eigen::Index b : certain) {

@@ -47,17 +47,15 @@ Result<LogSpace> LogSpace::make(SpacePtr inner) {
     out.logarithmic_.push_back(logarithmic);
     out.parameters_.push_back(std::move(parameter));
   }
+  out.inner_start_ = inner->start();
+  out.start_ = out.inner_start_;
+  for (int i = 0; i < out.start_.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Parameter& own = out.parameters_[k];
+    if (out.logarithmic_[k]) out.start_[i] = std::clamp(std::log(out.start_[i]), own.lower, own.upper);
+  }
   out.inner_ = std::move(inner);
   return out;
-}
-
-VecX LogSpace::start() const {
-  VecX u = inner_->start();
-  for (int i = 0; i < u.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (logarithmic_[k]) u[i] = std::clamp(std::log(u[i]), parameters_[k].lower, parameters_[k].upper);
-  }
-  return u;
 }
 
 VecX LogSpace::values(const VecX& u) const {
@@ -67,7 +65,7 @@ VecX LogSpace::values(const VecX& u) const {
     const auto k = static_cast<std::size_t>(i);
     if (!logarithmic_[k]) continue;
     const Parameter& own = inner_->parameters()[k];
-    p[i] = std::clamp(std::exp(u[i]), own.lower, own.upper);
+    p[i] = u[i] == start_[i] ? inner_start_[i] : std::clamp(std::exp(u[i]), own.lower, own.upper);
   }
   return p;
 }

@@ -18,14 +18,14 @@ class LogSpace final : public DesignSpace {
   static Result<LogSpace> make(SpacePtr inner);
 
   std::span<const Parameter> parameters() const override { return parameters_; }
-  VecX start() const override;
+  VecX start() const override { return start_; }
   Result<Design> at(const VecX& u) const override;
   Result<Design> applied(Design design, const VecX& u) const override;
   DesignJacobian jacobian(const Design& design, const VecX& u) const override;
   VecX curvature(const Design& design, const VecX& u, const VecX& y, const VecX& v) const override;
 
   const DesignSpace& inner() const { return *inner_; }
-  /// p, within its bounds; d p / d u, the diagonal.
+  /// p, within its bounds, at the start to the last bit that of the other space; d p / d u, the diagonal.
   VecX values(const VecX& u) const;
   VecX slope(const VecX& u) const;
 
@@ -35,6 +35,7 @@ class LogSpace final : public DesignSpace {
   SpacePtr inner_;
   std::vector<bool> logarithmic_;
   std::vector<Parameter> parameters_;
+  VecX start_, inner_start_;  // u and p
 };
 
 }  // namespace lissom

@@ -7,7 +7,7 @@ namespace lissom {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using State = ParameterCertainty::State;
+using Certainty = ParameterCertainty::State;
 
 /// null for what is no number.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -16,8 +16,8 @@ Json parameter_json(const CalibrationFit& fit, std::size_t i) {
   const Parameter& parameter = fit.parameters[i];
   const ParameterCertainty& own = fit.statistics.parameters[i];
   const double value = fit.values[static_cast<Eigen::Index>(i)];
-  const bool has_value = own.state != State::kUndetermined && own.state != State::kUncertain;
-  const bool has_interval = own.state == State::kDetermined && std::isfinite(own.half_width);
+  const bool has_value = own.state != Certainty::kUndetermined && own.state != Certainty::kUncertain;
+  const bool has_interval = own.state == Certainty::kDetermined && std::isfinite(own.half_width);
   return {{"name", parameter.name},
           {"unit", si_unit(parameter.kind)},
           {"state", certainty_name(own.state)},

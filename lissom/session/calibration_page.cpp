@@ -87,10 +87,11 @@ Result<std::string> figures(const CalibrationFit& fit, const CalibrationPage& pa
   return html;
 }
 
-/// Shapes that were measured, as reports of designs show their targets.
+/// Shapes that were measured, as reports of designs show their targets: rods over each other, so nothing without rods.
 Result<std::string> shapes(const CalibrationFit& fit) {
   DesignReport report;
   const Design& found = fit.problem->design();
+  if (found.system.structure.rods.empty()) return std::string();
   for (std::size_t k = 0; k < fit.steps.steps.size(); ++k) {
     const CalibrationStep& step = fit.steps.steps[k];
     if (step.nodes.empty()) continue;

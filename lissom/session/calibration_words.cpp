@@ -9,7 +9,7 @@ namespace lissom {
 
 namespace {
 
-using State = ParameterCertainty::State;
+using Certainty = ParameterCertainty::State;
 using Measure = DesignReport::Measure;
 
 constexpr double kSmallForce = 0.1;  // N, from which on forces are shown in N
@@ -45,17 +45,17 @@ std::string undetermined_words(int number, const CalibrationFit& fit) {
 
 }  // namespace
 
-const char* certainty_name(State state) {
+const char* certainty_name(Certainty state) {
   switch (state) {
-    case State::kDetermined:
+    case Certainty::kDetermined:
       return "determined";
-    case State::kAtLowerBound:
+    case Certainty::kAtLowerBound:
       return "at_lower_bound";
-    case State::kAtUpperBound:
+    case Certainty::kAtUpperBound:
       return "at_upper_bound";
-    case State::kUndetermined:
+    case Certainty::kUndetermined:
       return "undetermined";
-    case State::kUncertain:
+    case Certainty::kUncertain:
       break;
   }
   return "uncertain";
@@ -81,7 +81,7 @@ std::vector<CertaintyWords> certainty_words(const CalibrationFit& fit) {
     CertaintyWords& w = words.emplace_back();
     w.name = parameter.name;
     switch (own.state) {
-      case State::kDetermined:
+      case Certainty::kDetermined:
         w.value = with_unit(number_words(value, error), measure);
         if (std::isfinite(half)) {
           w.interval =
@@ -91,16 +91,16 @@ std::vector<CertaintyWords> certainty_words(const CalibrationFit& fit) {
           w.remark = "no interval: there are as many parameters as measured numbers";
         }
         break;
-      case State::kAtLowerBound:
-      case State::kAtUpperBound:
+      case Certainty::kAtLowerBound:
+      case Certainty::kAtUpperBound:
         w.value = with_unit(fmt::format("{:.6g}", value), measure);
-        w.remark = own.state == State::kAtLowerBound ? "at its lower bound: the measurements ask for less"
+        w.remark = own.state == Certainty::kAtLowerBound ? "at its lower bound: the measurements ask for less"
                                                      : "at its upper bound: the measurements ask for more";
         break;
-      case State::kUncertain:
+      case Certainty::kUncertain:
         w.remark = "not determined: its interval is wider than its bounds, or reaches beyond 0";
         break;
-      case State::kUndetermined:
+      case Certainty::kUndetermined:
         w.remark = undetermined_words(static_cast<int>(i), fit);
     }
   }

@@ -65,7 +65,7 @@ class Calibrate(tool.ToolTest):
         self.assertEqual(summary["verdict"], "converged")
         found = summary["parameters"][0]
         self.assertEqual((found["unit"], found["state"]), ("Pa", "determined"))
-        self.assertLess(abs(found["value"] / MODULUS - 1), 1e-9)
+        self.assertLess(abs(found["value"] / MODULUS - 1), 1e-8)
         self.assertEqual(self.files(), ["rod-calibrated.lissom", "rod-calibration-residuals.svg", "rod-calibration.html",
                                         "rod-calibration.json", "rod-calibration.svg"])
         self.assertEqual(sorted(pathlib.Path(f).name for f in summary["files"]), self.files())
@@ -115,7 +115,7 @@ class Calibrate(tool.ToolTest):
                    "".join(f"{f}; {x / 10!r}; 0\n" for f, x in zip(forces, stretched)))
         out, _ = self.run_tool("calibrate", "rod.lissom", "--json")
         summary = json.loads(out)
-        self.assertLess(abs(summary["parameters"][0]["value"] / MODULUS - 1), 1e-9)
+        self.assertLess(abs(summary["parameters"][0]["value"] / MODULUS - 1), 1e-8)
         self.assertEqual(summary["notes"], ['column "time" of pull.csv was not read'])
 
     def test_finds_a_modulus_from_a_shape(self):
@@ -182,7 +182,7 @@ class Calibrate(tool.ToolTest):
     def test_says_what_is_wrong_with_files(self):
         head = "force [N], length [mm]\n"
         place = "/calibration/measurements/0/force_length/file"
-        self.refused(rod(), None, place, 'no file "pull.csv"')
+        self.refused(rod(), None, place, 'no file "pull.csv"', code=4)
         self.refused(rod(), "", "pull.csv: the file is empty")
         self.refused(rod(), head, "pull.csv:1: there are no rows")
         self.refused(rod(), "force, length [mm]\n1, 100\n", 'pull.csv:1:1: the column "force" has no unit')
@@ -195,7 +195,7 @@ class Calibrate(tool.ToolTest):
         self.refused(rod(), "force [N], length [mm], sigma [mm]\n1, 101, 0\n", "pull.csv:2:9: a standard deviation")
         self.refused(rod(), "force [N], length [mm], sigma [N]\n1, 101, 1\n", "pull.csv:1:25:", "got a force")
         other = rod({"force_length": {"file": "../pull.csv", "from": "foot", "to": "tip"}})
-        self.refused(other, None, place, "outside")
+        self.refused(other, None, place, "leads out of the folder", code=4)
 
     def test_says_what_is_wrong_with_shapes(self):
         document = rod({"shapes": {"file": "pull.csv"}})
@@ -214,10 +214,13 @@ class Calibrate(tool.ToolTest):
         document["rods"].append({**document["rods"][0], "name": "second", "line": [[100, 0, 0], [150, 0, 0]],
                                  "material": "other"})
         self.refused(document, pairs([1]), "1 measured number cannot determine 2 parameters")
-        document = rod()
-        document["poses"][0]["supports"][0]["hold"] = "pin"
-        document["poses"][0]["forces"][0]["force"] = [0, 0, 1]
-        self.refused(document, pairs([1, 2]), "pull.csv:2: ", "check the numbers of this row")
+        document = rod({"force_length": {"file": "pull.csv", "from": "left", "to": "right", "prescribed": "length"}})
+        document["rods"] = []
+        document["membranes"] = [{"name": "strip", "grid": {"size": [100, 30], "cells": [2, 1]}, "material": "soft knit"}]
+        document["sets"] = {"left": {"box": [[0, 0, 0], [0, 30, 0]]}, "right": {"box": [[100, 0, 0], [100, 30, 0]]}}
+        document["poses"] = [{"name": "slack", "supports": [{"at": "left", "hold": "pin"}, {"at": "right", "hold": "pin"}]}]
+        document["calibration"]["parameters"] = [{"fabric": {"stiffness": ["0.1 N/m", "1 kN/m"]}}]
+        self.refused(document, "length [mm], force [N]\n120, 1\n100, 0\n", "pull.csv:3: ", "check the numbers of this row")
         document = rod()
         del document["calibration"]
         self.refused(document, None, "does not say what is unknown")

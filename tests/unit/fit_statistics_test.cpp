@@ -10,7 +10,7 @@
 namespace lissom {
 namespace {
 
-using State = ParameterCertainty::State;
+using Certainty = ParameterCertainty::State;
 
 std::vector<FittedParameter> free_parameters(int count, double reach = 1e6) {
   return std::vector<FittedParameter>(static_cast<std::size_t>(count), {FittedParameter::Bound::kNone, reach});
@@ -76,7 +76,7 @@ TEST(FitStatistics, AParameterWithoutEffectIsNamedAndTheOthersKeepTheirIntervals
   MatX wide(6, 3);
   wide << line.jacobian.col(0), 1e-12 * line.x, line.jacobian.col(1);
   const FitStatistics s = fit_statistics(wide, line.residual, free_parameters(3), 0.95);
-  EXPECT_EQ(s.parameters[1].state, State::kUndetermined);
+  EXPECT_EQ(s.parameters[1].state, Certainty::kUndetermined);
   EXPECT_TRUE(std::isnan(s.parameters[1].standard_error));
   EXPECT_TRUE(std::isnan(s.correlation(0, 1)));
   EXPECT_EQ(s.freedom, 4);
@@ -92,11 +92,11 @@ TEST(FitStatistics, ParametersThatOnlyActTogetherAreNamedTogether) {
   EXPECT_EQ(s.freedom, 3);
   ASSERT_EQ(s.combinations.size(), 1u);
   EXPECT_EQ(s.combinations[0], (std::vector<int>{0, 2}));
-  EXPECT_EQ(s.parameters[0].state, State::kUndetermined);
-  EXPECT_EQ(s.parameters[2].state, State::kUndetermined);
+  EXPECT_EQ(s.parameters[0].state, Certainty::kUndetermined);
+  EXPECT_EQ(s.parameters[2].state, Certainty::kUndetermined);
   // The others are as certain as with one of the two.
   const FitStatistics once = fit_statistics(twice.rightCols(3), line.residual, free_parameters(3), 0.95);
-  EXPECT_EQ(s.parameters[1].state, State::kDetermined);
+  EXPECT_EQ(s.parameters[1].state, Certainty::kDetermined);
   EXPECT_NEAR(s.parameters[1].half_width, once.parameters[0].half_width, 1e-10);
   EXPECT_NEAR(s.parameters[3].half_width, once.parameters[2].half_width, 1e-10);
 }
@@ -106,27 +106,27 @@ TEST(FitStatistics, ABoundIsNoUnknown) {
   std::vector<FittedParameter> parameters = free_parameters(2);
   parameters[0].bound = FittedParameter::Bound::kUpper;
   const FitStatistics s = fit_statistics(line.jacobian, line.residual, parameters, 0.95);
-  EXPECT_EQ(s.parameters[0].state, State::kAtUpperBound);
+  EXPECT_EQ(s.parameters[0].state, Certainty::kAtUpperBound);
   EXPECT_EQ(s.freedom, 5);
   EXPECT_NEAR(s.parameters[1].standard_error, s.deviation / line.x.norm(), 1e-14);
   parameters[1].bound = FittedParameter::Bound::kLower;
   const FitStatistics none = fit_statistics(line.jacobian, line.residual, parameters, 0.95);
-  EXPECT_EQ(none.parameters[1].state, State::kAtLowerBound);
+  EXPECT_EQ(none.parameters[1].state, Certainty::kAtLowerBound);
   EXPECT_EQ(none.freedom, 6);
 }
 
 TEST(FitStatistics, WhatIsWiderThanItsReachIsUncertain) {
   const Line line;
   const FitStatistics s = fit_statistics(line.jacobian, line.residual, free_parameters(2, 0.15), 0.95);
-  EXPECT_EQ(s.parameters[0].state, State::kUncertain);
-  EXPECT_EQ(s.parameters[1].state, State::kDetermined);
+  EXPECT_EQ(s.parameters[0].state, Certainty::kUncertain);
+  EXPECT_EQ(s.parameters[1].state, Certainty::kDetermined);
 }
 
 TEST(FitStatistics, WithoutFreedomThereAreNoIntervals) {
   const Line line;
   const FitStatistics s = fit_statistics(line.jacobian.topRows(2), VecX::Zero(2), free_parameters(2), 0.95);
   EXPECT_EQ(s.freedom, 0);
-  EXPECT_EQ(s.parameters[0].state, State::kDetermined);
+  EXPECT_EQ(s.parameters[0].state, Certainty::kDetermined);
   EXPECT_TRUE(std::isnan(s.parameters[0].half_width));
 }
 
