@@ -46,6 +46,7 @@ class StepMaker {
       Result<Pose> loaded = by_force ? loads.with_force(pair.force) : loads.with_length(length, pair.where);
       if (!loaded) return loaded.error();
       const int step = add_step(std::move(loaded).value(), pose, pair.where);
+      out_.steps.back().meaning = data.meaning;
       Goal goal = goal_of(pair.where, out_.steps.back().pose, by_force ? loads.length() : loads.reaction());
       MeasuredNumber number{set_,
                             step,
@@ -95,7 +96,7 @@ class StepMaker {
   /// Number of a new step: a pose after all others, called by the line that it stands for.
   int add_step(Pose pose, int base_pose, const std::string& where) {
     pose.name = fmt::format("{} [{}]", pose.name, where);
-    out_.steps.push_back({static_cast<int>(out_.model.poses.size()), base_pose, set_, where, {}});
+    out_.steps.push_back({static_cast<int>(out_.model.poses.size()), base_pose, set_, where, {}, {}});
     out_.model.poses.push_back(std::move(pose));
     return static_cast<int>(out_.steps.size()) - 1;
   }

@@ -67,8 +67,9 @@ struct CalibrationStep {
   int pose = 0;       ///< of CalibrationSteps::model
   int base_pose = 0;  ///< that it is a copy of
   int set = 0;
-  std::string where;       ///< first line of the file that it stands for
-  std::vector<int> nodes;  ///< of shapes, in the order of the goal
+  std::string where;                                                  ///< first line of the file that it stands for
+  std::vector<int> nodes;                                             ///< of shapes, in the order of the goal
+  ForceLengthData::Length meaning = ForceLengthData::Length::kWhole;  ///< of pairs: what their lengths are
 };
 
 struct CalibrationSteps {

@@ -13,7 +13,7 @@ const MeasuredNumber& number_of(const CalibrationFit& fit, int i) {
   return fit.steps.numbers[static_cast<std::size_t>(i)];
 }
 
-ChartAxis axis(const char* label, const DesignReport::Measure& measure) {
+ChartAxis axis(const std::string& label, const DesignReport::Measure& measure) {
   return {.label = label, .unit = measure.unit, .display_scale = measure.display_scale};
 }
 
@@ -32,7 +32,7 @@ std::vector<int> sorted_numbers(const CalibrationFit& fit, const MeasuredSet& se
 Chart fitted_chart(const CalibrationFit& fit, const MeasuredSet& set, const std::string& title) {
   Chart chart;
   chart.title = title;
-  chart.x = axis("length", kMillimetres);
+  chart.x = axis(set.length_word, kMillimetres);
   chart.y = axis("force", set.force);
   ChartSeries measured{.name = "measured", .style = Style::kPoints};
   ChartSeries fitted{.name = "fitted", .style = Style::kLine}, start{.name = "at the start", .style = Style::kLine};
@@ -59,8 +59,11 @@ Chart residual_chart(const CalibrationFit& fit, const MeasuredSet& set, const st
   chart.guides.push_back({kAcross, 0, ""});
   const double deviation = fit.statistics.deviation;
   double reach = 1.2 * set.largest;
-  if (!fit.steps.sigma_known && std::isfinite(deviation) && deviation > 0) {
-    const double s = deviation * number_of(fit, set.numbers.front()).sigma;
+  const double sigma = number_of(fit, set.numbers.front()).sigma;
+  const bool common =
+      std::all_of(set.numbers.begin(), set.numbers.end(), [&](int i) { return number_of(fit, i).sigma == sigma; });
+  if (common && std::isfinite(deviation) && deviation > 0) {
+    const double s = deviation * sigma;
     chart.guides.push_back({kAcross, s, "s"});
     chart.guides.push_back({kAcross, -s, "-s"});
     reach = std::max(reach, 1.5 * s);
@@ -82,7 +85,7 @@ Chart residual_chart(const CalibrationFit& fit, const MeasuredSet& set, const st
     std::erase_if(chart.series, [](const ChartSeries& series) { return series.x.empty(); });
     return chart;
   }
-  chart.x = set.by_force ? axis("force", set.force) : axis("length", kMillimetres);
+  chart.x = set.by_force ? axis("force", set.force) : axis(set.length_word, kMillimetres);
   ChartSeries left{.name = "", .style = Style::kPoints};
   for (const int i : set.numbers) {
     left.x.push_back(number_of(fit, i).prescribed);

@@ -73,7 +73,7 @@ Json measured_sets_json(const CalibrationFit& fit, const std::vector<MeasuredSet
             fit.steps.steps[static_cast<std::size_t>(n.step)].nodes[static_cast<std::size_t>(n.component / 3)];
         row["axis"] = std::string(1, "xyz"[n.component % 3]);
       } else {
-        row[set.by_force ? "force" : "length"] = n.prescribed;
+        row[set.by_force ? "force" : set.length_word] = n.prescribed;
       }
       row["measured"] = n.measured - n.shift;
       row["fitted"] = fit.fitted[i] - n.shift;
@@ -85,7 +85,7 @@ Json measured_sets_json(const CalibrationFit& fit, const std::vector<MeasuredSet
     list.push_back({{"file", set.file},
                     {"measured", set.shapes ? "place"
                                  : force    ? "force"
-                                            : "length"},
+                                            : set.length_word.c_str()},
                     {"unit", force ? "N" : "m"},
                     {"rms", set.rms},
                     {"largest", set.largest},

@@ -95,7 +95,7 @@ std::vector<CertaintyWords> certainty_words(const CalibrationFit& fit) {
       case Certainty::kAtUpperBound:
         w.value = with_unit(fmt::format("{:.6g}", value), measure);
         w.remark = own.state == Certainty::kAtLowerBound ? "at its lower bound: the measurements ask for less"
-                                                     : "at its upper bound: the measurements ask for more";
+                                                         : "at its upper bound: the measurements ask for more";
         break;
       case Certainty::kUncertain:
         w.remark = "not determined: its interval is wider than its bounds, or reaches beyond 0";
@@ -132,6 +132,7 @@ std::vector<MeasuredSet> measured_sets(const CalibrationFit& fit, const std::vec
     set.file = std::visit([](const auto& b) { return b.file; }, brief);
     const auto* pairs = std::get_if<ForceLengthBrief>(&brief);
     set.shapes = pairs == nullptr;
+    set.length_word = pairs == nullptr || pairs->from ? "length" : "displacement";
     set.by_force = pairs != nullptr && pairs->prescribed == ForceLengthBrief::Prescribed::kForce;
   }
   for (std::size_t i = 0; i < fit.steps.numbers.size(); ++i) {
@@ -142,6 +143,8 @@ std::vector<MeasuredSet> measured_sets(const CalibrationFit& fit, const std::vec
     for (const int i : set.numbers) {
       const MeasuredNumber& n = fit.steps.numbers[static_cast<std::size_t>(i)];
       const double left = n.measured - fit.fitted[i];
+      const CalibrationStep& step = fit.steps.steps[static_cast<std::size_t>(n.step)];
+      if (step.meaning == ForceLengthData::Length::kChange) set.length_word = "displacement";
       set.rms += left * left;
       set.largest = std::max(set.largest, std::abs(left));
       force = std::max(force, std::abs(set.by_force ? n.prescribed : n.measured));

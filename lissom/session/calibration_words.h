@@ -35,6 +35,7 @@ struct MeasuredSet {
   std::string file;
   bool shapes = false;
   bool by_force = false;        ///< of pairs: forces were set
+  std::string length_word;      ///< of pairs: "length" or "displacement"
   DesignReport::Measure force;  ///< of pairs
   DesignReport::Measure measured;
   std::vector<int> numbers;     ///< of CalibrationSteps::numbers

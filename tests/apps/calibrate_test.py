@@ -146,6 +146,19 @@ class Calibrate(tool.ToolTest):
         out, _ = self.run_tool("calibrate", "rod.lissom", "-o", "found", "--json")
         self.assertLess(abs(json.loads(out)["parameters"][0]["value"] / MODULUS - 1), 1e-6)
 
+    def test_the_examples_of_the_guide_find_their_materials(self):
+        for file in (tool.ROOT / "scenes" / "data" / "calibration").iterdir():
+            self.write(file.name, file.read_text(encoding="utf-8"))
+        truths = {"rod": [27.5e6], "strips": [62, 24, 0.35]}
+        for name, truth in truths.items():
+            out, _ = self.run_tool("calibrate", f"{name}.lissom", "--json")
+            for value, found in zip(truth, json.loads(out)["parameters"], strict=True):
+                self.assertEqual(found["state"], "determined")
+                low, high = found["interval"]
+                self.assertTrue(low < value < high, found)
+                self.assertLess(high - low, 0.1 * value)
+        self.assertEqual(self.result("out/rod-calibration.json")["measurements"][0]["measured"], "displacement")
+
     def test_says_what_is_not_determined(self):
         self.write("rod.lissom", rod())
         self.write("pull.csv", "force [N], length [mm]\n0, 100\n0, 100.01\n")
@@ -216,7 +229,8 @@ class Calibrate(tool.ToolTest):
         self.refused(document, pairs([1]), "1 measured number cannot determine 2 parameters")
         document = rod({"force_length": {"file": "pull.csv", "from": "left", "to": "right", "prescribed": "length"}})
         document["rods"] = []
-        document["membranes"] = [{"name": "strip", "grid": {"size": [100, 30], "cells": [2, 1]}, "material": "soft knit"}]
+        document["membranes"] = [{"name": "strip", "grid": {"size": [100, 30], "cells": [2, 1]}, "material": "jersey"}]
+        document["membrane_materials"] = {"jersey": {"stiffness": "20 N/m", "poisson_ratio": 0.2}}
         document["sets"] = {"left": {"box": [[0, 0, 0], [0, 30, 0]]}, "right": {"box": [[100, 0, 0], [100, 30, 0]]}}
         document["poses"] = [{"name": "slack", "supports": [{"at": "left", "hold": "pin"}, {"at": "right", "hold": "pin"}]}]
         document["calibration"]["parameters"] = [{"fabric": {"stiffness": ["0.1 N/m", "1 kN/m"]}}]
