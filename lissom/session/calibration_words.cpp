@@ -109,20 +109,24 @@ std::vector<CertaintyWords> certainty_words(const CalibrationFit& fit) {
 
 std::string count_words(const CalibrationFit& fit) {
   const FitStatistics& s = fit.statistics;
-  const std::size_t m = fit.parameters.size();
-  std::string text =
-      fmt::format("{} measured {}, {} {}, {} {} of freedom", s.residuals, s.residuals == 1 ? "number" : "numbers", m,
-                  m == 1 ? "parameter" : "parameters", s.freedom, s.freedom == 1 ? "degree" : "degrees");
+  const int m = static_cast<int>(fit.parameters.size());
+  const auto counted = [](int count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+  };
+  std::string text = counted(s.residuals, "measured number", "measured numbers") + ", " +
+                     counted(m, "parameter", "parameters") + ", " +
+                     counted(s.freedom, "degree of freedom", "degrees of freedom");
   if (!std::isfinite(s.deviation)) return text;
   if (fit.steps.sigma_known) {
-    return text + fmt::format("; residual standard deviation {:.3g} times the given ones", s.deviation);
+    text += fmt::format("; residual standard deviation {:.3g} times the given ones", s.deviation);
+    return text;
   }
   // All numbers are of one unit and have one nominal standard deviation.
   const MeasuredNumber& first = fit.steps.numbers.front();
-  const bool length = fit.steps.goals[static_cast<std::size_t>(first.step)].objective->unit() == std::string_view("m");
-  const Measure measure = length ? Measure{"mm", 1e3} : Measure{"N", 1};
-  const double deviation = measure.display_scale * s.deviation * first.sigma;
-  return text + fmt::format("; residual standard deviation {:.3g} {}", deviation, measure.unit);
+  const bool length = fit.steps.goals[static_cast<std::size_t>(first.step)].objective->unit() == "m";
+  const double deviation = (length ? 1e3 : 1) * s.deviation * first.sigma;
+  text += fmt::format("; residual standard deviation {:.3g} {}", deviation, length ? "mm" : "N");
+  return text;
 }
 
 std::vector<MeasuredSet> measured_sets(const CalibrationFit& fit, const std::vector<MeasurementBrief>& briefs) {

@@ -107,6 +107,16 @@ class Calibrate(tool.ToolTest):
         self.assertIn("95 % interval", text)
         self.assertEqual((self.folder / "out/rod-calibration.png").read_bytes()[:4], b"\x89PNG")
 
+    def test_threads_change_no_byte(self):
+        self.write("rod.lissom", rod())
+        self.write("pull.csv", pairs([1, 2, 3, 4, 5], noise=0.3))
+        for threads in ("1", "2"):
+            self.run_tool("calibrate", "rod.lissom", "-o", threads, "--threads", threads)
+        one, two = ({p.name: p.read_bytes().replace(b"-o " + folder.encode(), b"") for p in (self.folder / folder).iterdir()}
+                    for folder in ("1", "2"))
+        self.assertEqual(len(one), 5)
+        self.assertEqual(one, two)
+
     def test_units_are_those_of_the_header(self):
         self.write("rod.lissom", rod())
         forces = [100, 200, 300]  # gf
