@@ -1,6 +1,7 @@
 #include "scenes/scenes.h"
 
 #include "scenes/scene_models.h"
+#include "scenes/sheet_brief.h"
 
 namespace lissom {
 
@@ -19,6 +20,8 @@ constexpr Scene kScenes[] = {
     {"quad_sheet", "A sheet of squares, 0.2 m, hung by two opposite sides under its own weight.",
      scene_models::quad_sheet},
     {"ring", "A ring pulled apart by two opposite forces.", scene_models::ring},
+    {"sheet_design", "A sheet of hexagons, 0.2 m, to be designed such that it bends and stretches as four others do.",
+     scene_models::sheet_design},
     {"sphere", "A sphere of laths that is pressed down by a smooth plate; on the way it begins to twist.",
      scene_models::sphere},
     {"triangle_sheet", "A sheet of triangles, 0.2 m, hung by two opposite sides under its own weight.",

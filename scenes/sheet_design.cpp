@@ -15,8 +15,8 @@ constexpr double kEdge = 0.2 / 9.5;  // m, of a hexagon: the sheet is 0.2 m long
 constexpr int kEdges = 10;           // of a rod
 constexpr double kRadius = 2e-3;     // m, to start with
 constexpr double kMargin = 0.55;     // of a hexagon's edge: how far a side that is held reaches in
-constexpr double kWeight = 0.1;      // N, in all, at the far side
-constexpr double kPull = 10;         // N, in all
+constexpr double kWeight = 0.15;     // N, in all, at the far side
+constexpr double kPull = 14;         // N, in all
 
 /// Nodes within the margin of the side at the end of `axis` on which `sign` is.
 std::vector<Vec3> side_nodes(const Model& model, int axis, double sign) {
@@ -96,7 +96,7 @@ std::vector<RadiiField> sheet_targets() {
       return Vec2(r_n * f, r_b * f);
     };
   };
-  return {graded(3e-3, 2.2e-3, 0.1, 1), graded(1.4e-3, 1.8e-3, -0.1, 0), graded(2e-3, 1.5e-3, 0.2, 1),
+  return {graded(3.2e-3, 2.2e-3, 0.1, 1), graded(1.35e-3, 1.75e-3, -0.1, 0), graded(2e-3, 1.5e-3, 0.2, 1),
           graded(2e-3, 1.5e-3, 0.2, 0)};
 }
 

@@ -39,8 +39,7 @@ class BoxCg {
       look_at_bounds();
       if (!(out_.gradient_left > tolerance) || out_.products >= max_products_) return out_;
       if (like_.size() > 0) factor_.prepare(like_, free_, largest_);
-      const Move move = run(kShare * tolerance);
-      if (!take(move)) return out_;
+      if (!take(run(kShare * tolerance)) && !take(steepest())) return out_;
     }
   }
 
@@ -73,7 +72,8 @@ class BoxCg {
     return std::max(most, 0.0);
   }
 
-  /// Conjugate gradients on the free parameters, bounds not looked at, until the gradient is below `tolerance`.
+  /// Conjugate gradients on the free parameters until the gradient is below `tolerance` or the box is left: what follows would
+  /// go on from a place that is not to be had.
   Move run(double tolerance) {
     Move m{VecX::Zero(gradient_.size()), VecX::Zero(gradient_.size())};
     VecX r = -on_free(gradient_), z = preconditioned(r), p = z;
@@ -90,6 +90,7 @@ class BoxCg {
       const double a = rz / curvature;
       m.w += a * p;
       m.image += a * image;
+      if (room(m.w, 1) < 1) break;
       r -= a * on_free(image);
       z = preconditioned(r);
       const double next = r.dot(z);
@@ -97,6 +98,15 @@ class BoxCg {
       rz = next;
     }
     return m;
+  }
+
+  /// Down the gradient to the least value of the model or to the first bound, which is always lower.
+  Move steepest() {
+    const VecX p = -on_free(gradient_), image = times_(p);
+    ++out_.products;
+    const double curvature = p.dot(image), within = room(p, std::numeric_limits<double>::max());
+    const double a = curvature > 0 ? std::min(within, p.squaredNorm() / curvature) : within;
+    return {a * p, a * image};
   }
 
   /// Along p without curvature to the first bound, unless m.w has left the box already: then that step is worth more.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lissom/core/assert.h"
+#include "lissom/design/box_interior.h"
 #include "lissom/design/free_factor.h"
 
 namespace lissom {
@@ -11,8 +13,25 @@ namespace lissom {
 namespace {
 
 constexpr double kArmijo = 1e-4;
+constexpr int kBeforeInterior = 12;  // steps by which easy problems have ended
 
 VecX clipped(const VecX& x, const VecX& lower, const VecX& upper) { return x.cwiseMax(lower).cwiseMin(upper); }
+
+/// Begins at what interior points have found: what is pushed harder than it is away from its bound is at it.
+VecX from_interior(const MatX& b, double damping, const VecX& g, const VecX& lower, const VecX& upper,
+                   int& factorizations) {
+  const BoxInterior interior = solve_box_interior(b, damping, g, lower, upper);
+  factorizations += interior.factorizations;
+  VecX x = interior.x;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (!(upper[i] - lower[i] < std::numeric_limits<double>::infinity())) continue;
+    // In units of the box and of the gradient, so that both compare.
+    const double width = std::max(upper[i] - lower[i], 1e-300), size = std::max(std::abs(g[i]), g.cwiseAbs().mean());
+    if (interior.push_lower[i] / size > (x[i] - lower[i]) / width) x[i] = lower[i];
+    if (interior.push_upper[i] / size > (upper[i] - x[i]) / width) x[i] = upper[i];
+  }
+  return clipped(x, lower, upper);
+}
 
 }  // namespace
 
@@ -27,6 +46,7 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
   const double largest = std::max(b.diagonal().cwiseAbs().maxCoeff(), 1e-300);
   const double small = tolerance * std::max(g.cwiseAbs().maxCoeff(), 1e-300);
   FreeFactor factor;
+  int interior = 0;  // factorisations of interior points
   std::vector<int> free;
   VecX image = b * out.x, gradient(m);
   for (;; ++out.iterations) {
@@ -46,8 +66,21 @@ BoxQpSolution solve_box_qp(const MatX& b, const VecX& g, const VecX& lower, cons
       return out;
     }
     if (out.iterations >= max_iterations) return out;
+    if (out.iterations == kBeforeInterior) {
+      const VecX x = from_interior(b, factor.damping(), g, lower, upper, interior);
+      out.factorizations = interior + factor.factorizations();
+      const auto value = [&](const VecX& at, const VecX& image_at) {
+        return at.dot(0.5 * (image_at + out.damping * at) + g);
+      };
+      const VecX image_x = b * x;
+      if (value(x, image_x) < value(out.x, image)) {
+        out.x = x;
+        image = image_x;
+        continue;
+      }
+    }
     factor.prepare(b, free, largest);
-    out.factorizations = factor.factorizations();
+    out.factorizations = interior + factor.factorizations();
     gradient += (factor.damping() - out.damping) * out.x;
     out.damping = factor.damping();
     const VecX step = factor.solve(-gradient);

@@ -11,9 +11,6 @@ namespace lissom {
 
 namespace {
 
-/// The sign with which c - target has to be <= 0.
-double side(const Goal& goal) { return goal.kind == GoalKind::kAtLeast ? -1 : 1; }
-
 /// Poses that have a goal, ascending.
 std::vector<int> poses_of(const std::vector<Goal>& goals) {
   std::vector<int> poses;
@@ -89,6 +86,7 @@ Result<std::unique_ptr<StructureProblem>> StructureProblem::make(std::shared_ptr
       if (problem->goals_[g].pose == pose) problem->by_pose_.back().push_back(static_cast<int>(g));
     }
   }
+  problem->pin_factors_ = VecX::Ones(static_cast<Eigen::Index>(poses.size()));
   for (const Goal& goal : problem->goals_) {
     if (goal.force == GoalForce::kHard) problem->constraints_ += goal.objective->size();
   }
@@ -102,6 +100,16 @@ void StructureProblem::for_poses(const std::function<void(int)>& body) const {
   } else {
     for (int k = 0; k < count; ++k) body(k);
   }
+}
+
+Result<Design> StructureProblem::design_at(const VecX& p, const VecX& pin_factors) const {
+  Result<Design> design = space_->at(p);
+  if (!design) return design;
+  for (std::size_t k = 0; k < poses_.size(); ++k) {
+    Pose& pose = design.value().model.poses[static_cast<std::size_t>(poses_[k]->pose())];
+    for (SoftPin& pin : pose.soft_pins) pin.stiffness *= pin_factors[static_cast<Eigen::Index>(k)];
+  }
+  return design;
 }
 
 PoseShape StructureProblem::shape_of(const Design& design, int k, const State& state) const {
@@ -146,14 +154,19 @@ void StructureProblem::settle_point() {
   value_ = 0.5 * residual_.squaredNorm();
 }
 
-Status StructureProblem::release(const VecX* p) {
+Status StructureProblem::release(const VecX* p, const DesignPoint* near) {
+  LISSOM_ASSERT(near == nullptr || near->states.size() == poses_.size());
   if (p != nullptr) p_ = *p;
   x_ = p_.cwiseQuotient(scale_);
-  Result<Design> design = space_->at(p_);
+  if (near != nullptr) pin_factors_ = near->pin_factors;
+  Result<Design> design = design_at(p_, pin_factors_);
   if (!design) return design.error();
   design_ = std::move(design).value();
   std::vector<PoseEnd> ends(poses_.size());
-  for_poses([&](int k) { ends[static_cast<std::size_t>(k)] = poses_[static_cast<std::size_t>(k)]->release(design_); });
+  for_poses([&](int k) {
+    const auto i = static_cast<std::size_t>(k);
+    ends[i] = poses_[i]->release(design_, near != nullptr ? &near->states[i] : nullptr);
+  });
   for (std::size_t k = 0; k < poses_.size(); ++k) {
     if (ends[k].outcome == Outcome::kSettled) continue;
     return Error{ErrorCode::kConflict, "/poses/" + std::to_string(poses_[k]->pose()),
@@ -169,13 +182,16 @@ Status StructureProblem::release(const VecX* p) {
 }
 
 Status StructureProblem::restore(const DesignPoint& point) {
-  if (point.states.size() != poses_.size() || point.p.size() != size()) {
+  const std::size_t poses = poses_.size();
+  if (point.states.size() != poses || point.p.size() != size() ||
+      point.pin_factors.size() != static_cast<Eigen::Index>(poses)) {
     return Error{ErrorCode::kConflict, "", "the saved point is of another design",
                  "resume with the document it was made from"};
   }
-  Result<Design> design = space_->at(point.p);
+  Result<Design> design = design_at(point.p, point.pin_factors);
   if (!design) return design.error();
   design_ = std::move(design).value();
+  pin_factors_ = point.pin_factors;
   p_ = point.p;
   x_ = p_.cwiseQuotient(scale_);
   std::vector<PoseEnd> ends(poses_.size());
@@ -194,7 +210,7 @@ Status StructureProblem::restore(const DesignPoint& point) {
 }
 
 DesignPoint StructureProblem::point() const {
-  DesignPoint point{p_, {}};
+  DesignPoint point{p_, {}, pin_factors_};
   for (const auto& pose : poses_) point.states.push_back(pose->state());
   return point;
 }
@@ -213,6 +229,16 @@ std::vector<GoalMeasure> StructureProblem::measures() const {
   return measures;
 }
 
+std::vector<PoseEnd> StructureProblem::follow(const Design& changed) {
+  std::vector<PoseEnd> ends(poses_.size());
+  for_poses([&](int k) {
+    PoseFollower& pose = *poses_[static_cast<std::size_t>(k)];
+    pose.stand_at_point(design_);
+    ends[static_cast<std::size_t>(k)] = pose.attempt(changed);
+  });
+  return ends;
+}
+
 Attempt StructureProblem::attempt(const VecX& x) {
   ++effort_.attempts;
   // What is at a bound is at it to the last bit.
@@ -222,15 +248,10 @@ Attempt StructureProblem::attempt(const VecX& x) {
     const Parameter& parameter = space_->parameters()[static_cast<std::size_t>(i)];
     p[i] = std::clamp(attempted_x_[i] * scale_[i], parameter.lower, parameter.upper);
   }
-  Result<Design> design = space_->at(p);
+  Result<Design> design = design_at(p, pin_factors_);
   if (!design) return {Outcome::kNoDesign, 0, design.error().text()};
   attempted_design_ = std::move(design).value();
-  std::vector<PoseEnd> ends(poses_.size());
-  for_poses([&](int k) {
-    PoseFollower& pose = *poses_[static_cast<std::size_t>(k)];
-    pose.stand_at_point(design_);
-    ends[static_cast<std::size_t>(k)] = pose.attempt(attempted_design_);
-  });
+  const std::vector<PoseEnd> ends = follow(attempted_design_);
   for (const PoseEnd& end : ends) {
     if (end.outcome == Outcome::kCancelled) return {end.outcome, 0, end.reason};
   }
@@ -251,54 +272,6 @@ void StructureProblem::accept() {
   std::swap(design_, attempted_design_);
   p_ = attempted_p_;
   x_ = p_.cwiseQuotient(scale_);  // as `restore` has it
-  settle_point();
-}
-
-bool StructureProblem::is_inequality(int i) const {
-  for (const std::vector<int>& goals : by_pose_) {
-    for (const int g : goals) {
-      const Goal& goal = goals_[static_cast<std::size_t>(g)];
-      if (goal.force != GoalForce::kHard) continue;
-      if (i < goal.objective->size()) return goal.kind != GoalKind::kReach;
-      i -= goal.objective->size();
-    }
-  }
-  LISSOM_ASSERT(false);
-  return false;
-}
-
-VecX StructureProblem::constraint_values() const {
-  VecX values(constraints_);
-  int at = 0;
-  for (std::size_t k = 0; k < poses_.size(); ++k) {
-    poses_[k]->stand_at_point(design_);  // an attempt may have left its numbers
-    for (const int g : by_pose_[k]) {
-      const Goal& goal = goals_[static_cast<std::size_t>(g)];
-      if (goal.force != GoalForce::kHard) continue;
-      VecX c;
-      goal.objective->values(shape_of(design_, static_cast<int>(k), poses_[k]->state()), c);
-      values.segment(at, c.size()) = side(goal) * (c - goal.target) / goal.scale;
-      at += static_cast<int>(c.size());
-    }
-  }
-  return values;
-}
-
-void StructureProblem::set_multipliers(const VecX& multipliers, double penalty) {
-  LISSOM_ASSERT(multipliers.size() == constraints_ && penalty > 0);
-  int at = 0;
-  for (const std::vector<int>& goals : by_pose_) {
-    for (const int g : goals) {
-      const Goal& goal = goals_[static_cast<std::size_t>(g)];
-      if (goal.force != GoalForce::kHard) continue;
-      Goal& effective = effective_[static_cast<std::size_t>(g)];
-      const int n = goal.objective->size();
-      effective.weight = penalty;
-      effective.weights = VecX::Ones(n);
-      effective.target = goal.target - side(goal) * goal.scale / penalty * multipliers.segment(at, n);
-      at += n;
-    }
-  }
   settle_point();
 }
 

@@ -24,6 +24,7 @@ struct StructureProblemOptions {
 struct DesignPoint {
   VecX p;                     ///< SI
   std::vector<State> states;  ///< per pose that has a goal, ascending
+  VecX pin_factors;           ///< of the same poses: stiffness of soft pins over what the space gives them
 };
 
 /// How far a goal is from what it asks.
@@ -42,8 +43,8 @@ class StructureProblem final : public ReducedProblem {
                                                         std::vector<Goal> goals, std::vector<ParameterGoal> wishes,
                                                         const StructureProblemOptions& options, const Context& context);
 
-  /// Finds the equilibria of the start, or of `p`, from the drawn shape. kBadStart-like errors name the pose.
-  Status release(const VecX* p = nullptr);
+  /// Finds the equilibria of the start, or of `p`, from the drawn shape or from `near`. kBadStart-like errors name the pose.
+  Status release(const VecX* p = nullptr, const DesignPoint* near = nullptr);
   Status restore(const DesignPoint& point);
   DesignPoint point() const;
 
@@ -54,6 +55,9 @@ class StructureProblem final : public ReducedProblem {
   /// Poses that have a goal, ascending, and their equilibria at the point.
   const std::vector<std::unique_ptr<PoseFollower>>& poses() const { return poses_; }
   const VecX& p() const { return p_; }  ///< SI
+  /// Changes the stiffness of the soft pins of each entry of `poses` by a factor, each pose for itself and only if it follows
+  /// and misses its goals no more than before; the point, h and derivatives follow. Whether anything has changed.
+  Result<bool> stiffen_pins(const VecX& factors);
 
   int size() const override { return static_cast<int>(scale_.size()); }
   const VecX& lower() const override { return lower_; }
@@ -81,6 +85,10 @@ class StructureProblem final : public ReducedProblem {
 
   /// Runs body(pose number in `poses_`) side by side.
   void for_poses(const std::function<void(int)>& body) const;
+  /// The design that the space makes, with pins as stiff as they are now.
+  Result<Design> design_at(const VecX& p, const VecX& pin_factors) const;
+  /// All poses attempt to follow the point to a changed design.
+  std::vector<PoseEnd> follow(const Design& changed);
   PoseShape shape_of(const Design& design, int k, const State& state) const;
   /// Residuals of all goals and wishes at equilibria.
   VecX residual_at(const Design& design, const VecX& p, const std::vector<const State*>& states) const;
@@ -102,6 +110,7 @@ class StructureProblem final : public ReducedProblem {
   Design design_, attempted_design_;
   VecX x_, residual_, attempted_x_, attempted_residual_;
   VecX p_, attempted_p_;  // SI
+  VecX pin_factors_;      // by entry of poses_
   double value_ = 0;
 
   // Derivatives at the point, made when asked for.

@@ -192,17 +192,29 @@ constexpr std::array<std::string_view, 6> kBriefMethods{
 /// How it is worked on.
 struct DesignSettings {
   enum class Control { kLineSearch, kTrustRegion };
+  enum class Pins {
+    kFixed,  ///< soft pins are as stiff as the poses say
+    kAdaptive,  ///< that is where they begin; they end such that pinned nodes miss their places as much as goals are missed
+  };
   std::string method = "structured_bfgs";
   Control control = Control::kLineSearch;
-  int iterations = 100;  ///< at most
+  Pins pins = Pins::kFixed;
+  int iterations = 100;  ///< at most, of each stage that has no limit of its own
   /// Convergence: share of what the best parameter promised at the start, and of what is left to be gained.
   double gradient_tolerance = 1e-6, decrease_tolerance = 1e-9;
   double constraint_tolerance = 1e-6;  ///< of hard goals, over their scales
   double solve_tolerance = 1e-8;       ///< of equilibria, largest unbalanced force over the loads
 };
 
-struct Brief {
+/// What may change in a first stage: few parameters first find the way for many.
+struct StageBrief {
   std::vector<ParameterBrief> parameters;
+  std::optional<int> iterations;  ///< at most; those of the settings when absent
+};
+
+struct Brief {
+  std::vector<StageBrief> stages;          ///< worked on first, one after the other
+  std::vector<ParameterBrief> parameters;  ///< of the last stage
   std::vector<GoalBrief> goals;
   WishesBrief wishes;
   DesignSettings settings;

@@ -10,6 +10,8 @@ constexpr std::pair<std::string_view, ModulusBrief::Per> kPers[] = {{"material",
                                                                     {"rod", ModulusBrief::Per::kRod}};
 constexpr std::pair<std::string_view, Control> kControls[] = {{"line_search", Control::kLineSearch},
                                                               {"trust_region", Control::kTrustRegion}};
+constexpr std::pair<std::string_view, DesignSettings::Pins> kPins[] = {{"fixed", DesignSettings::Pins::kFixed},
+                                                                       {"adaptive", DesignSettings::Pins::kAdaptive}};
 constexpr std::pair<std::string_view, Freedom> kFreedoms[] = {
     {"each", Freedom::kEach}, {"common_factor", Freedom::kCommonFactor}, {"common_value", Freedom::kCommonValue}};
 constexpr std::pair<std::string_view, PlanBrief::PreStretch> kAxes[] = {{"common", PlanBrief::PreStretch::kCommon},
@@ -187,7 +189,11 @@ void describe(Fields& fields, DesignSettings& settings) {
   const NumberOf share{Measure::kRatio, between(0, 1)};
   fields.field("method", settings.method, MethodOf(), kOptional, "How second derivatives are had.")
       .field("control", settings.control, ChoiceOf<Control>{kControls}, kOptional, "How steps are kept in hand.")
-      .field("iterations", settings.iterations, IntegerOf{1, 1'000'000}, kOptional, "At most.")
+      .field("pins", settings.pins, ChoiceOf<DesignSettings::Pins>{kPins}, kOptional,
+             "Whether soft pins change such that pinned nodes miss their places as much as goals for positions are "
+             "missed.")
+      .field("iterations", settings.iterations, IntegerOf{1, 1'000'000}, kOptional,
+             "At most, of each stage without a limit of its own.")
       .field("gradient_tolerance", settings.gradient_tolerance, share, kOptional,
              "Converged when no parameter promises more than this share of what the best one did at the start.")
       .field("decrease_tolerance", settings.decrease_tolerance, share, kOptional,
@@ -198,8 +204,17 @@ void describe(Fields& fields, DesignSettings& settings) {
              "Largest unbalanced force of an equilibrium, relative to the loads.");
 }
 
+void describe(Fields& fields, StageBrief& stage) {
+  fields.field("parameters", stage.parameters, ListOf<ParameterBriefOf>{{}, 1}, kRequired, "What may change in it.")
+      .field("iterations", stage.iterations, IntegerOf{1, 1'000'000}, kOptional, "At most.");
+}
+
 void describe(Fields& fields, Brief& brief) {
-  fields.field("parameters", brief.parameters, ListOf<ParameterBriefOf>{{}, 1}, kRequired, "What may change.")
+  fields
+      .field("stages", brief.stages, ListOf<ObjectOf<StageBrief>>{{"design stage"}}, kOptional,
+             "Stages with other parameters, usually fewer, that are worked on first.")
+      .field("parameters", brief.parameters, ListOf<ParameterBriefOf>{{}, 1}, kRequired,
+             "What may change; with stages, in the last one.")
       .field("goals", brief.goals, ListOf<GoalBriefOf>{{}, 1}, kRequired, "What is to be reached.")
       .field("wishes", brief.wishes, ObjectOf<WishesBrief>{"wishes"}, kOptional, "Wishes about the parameters.")
       .field("settings", brief.settings, ObjectOf<DesignSettings>{"design settings"}, kOptional,

@@ -43,7 +43,7 @@ void check_calibration(Checker& check, const Calibration& calibration, const std
                "a calibration finds numbers of materials and natural shapes, nothing else",
                "choose among \"youngs_modulus\", \"fabric\" and \"natural\", or describe a \"design\"");
   }
-  check_parameters(check, calibration.parameters, where + "/parameters");
+  check_parameters(check, calibration.parameters, where);
   if (calibration.measurements.empty()) {
     check.fail(ErrorCode::kType, where + "/measurements", "there is no measurement", "name a file of measurements");
   }

@@ -216,14 +216,17 @@ struct GoalCheck {
   void operator()(const StabilityGoal& goal) const { wanted(goal.wanted, where + "/stability_margin"); }
 };
 
+void check_iterations(Checker& check, int iterations, const std::string& where) {
+  if (iterations >= 1) return;
+  check.fail(ErrorCode::kRange, where + "/iterations", "at least one iteration is needed", "100 is usual");
+}
+
 void check_settings(Checker& check, const DesignSettings& settings, const std::string& where) {
   if (std::find(kBriefMethods.begin(), kBriefMethods.end(), settings.method) == kBriefMethods.end()) {
     check.fail(ErrorCode::kUnknown, where + "/method", fmt::format("there is no method \"{}\"", settings.method),
                "\"structured_bfgs\" is usual");
   }
-  if (settings.iterations < 1) {
-    check.fail(ErrorCode::kRange, where + "/iterations", "at least one iteration is needed", "100 is usual");
-  }
+  check_iterations(check, settings.iterations, where);
   const auto share = [&](double value, const char* key) {
     if (value >= 0 && value < 1) return;
     check.fail(ErrorCode::kRange, where + "/" + key, "the tolerance has to lie between 0 and 1", "1e-6 is usual");
@@ -249,10 +252,12 @@ const Pose* check_pose_name(Checker& check, const std::string& name, const std::
 }
 
 void check_parameters(Checker& check, const std::vector<ParameterBrief>& parameters, const std::string& where) {
-  if (parameters.empty()) check.fail(ErrorCode::kType, where, "nothing may change", "say what a design may change");
+  if (parameters.empty()) {
+    check.fail(ErrorCode::kType, where + "/parameters", "nothing may change", "say what a design may change");
+  }
   for (std::size_t i = 0; i < parameters.size() && !check.failed(); ++i) {
     const ParameterBrief& parameter = parameters[i];
-    const std::string own = fmt::format("{}/{}", where, i);
+    const std::string own = fmt::format("{}/parameters/{}", where, i);
     std::visit(ParameterCheck{check, own}, parameter.what);
     if (!parameter.mirror || check.failed()) continue;
     check.direction(parameter.mirror->normal, own + "/mirror/normal");
@@ -262,8 +267,13 @@ void check_parameters(Checker& check, const std::vector<ParameterBrief>& paramet
 }
 
 void check_design(Checker& check, const Brief& brief, const std::string& where) {
+  for (std::size_t k = 0; k < brief.stages.size() && !check.failed(); ++k) {
+    const std::string own = fmt::format("{}/stages/{}", where, k);
+    check_parameters(check, brief.stages[k].parameters, own);
+    if (brief.stages[k].iterations) check_iterations(check, *brief.stages[k].iterations, own);
+  }
+  check_parameters(check, brief.parameters, where);
   if (brief.goals.empty()) check.fail(ErrorCode::kType, where + "/goals", "there is no goal", "say what to reach");
-  check_parameters(check, brief.parameters, where + "/parameters");
   for (std::size_t i = 0; i < brief.goals.size() && !check.failed(); ++i) {
     const GoalBrief& goal = brief.goals[i];
     const std::string own = fmt::format("{}/goals/{}", where, i);

@@ -83,11 +83,12 @@ Json goals_json(const OptimizedDesign& design, const std::vector<Goal>& goals, c
 Json parameters_json(const DesignRun& run) {
   Json list = Json::array();
   const StructureProblem& problem = run.problem();
+  const VecX start = problem.space().start();
   for (int i = 0; i < problem.size(); ++i) {
     const Parameter& p = problem.space().parameters()[static_cast<std::size_t>(i)];
     list.push_back({{"name", p.name},
                     {"unit", si_unit(p.kind)},
-                    {"start", run.first_point().p[i]},
+                    {"start", start[i]},
                     {"value", problem.p()[i]},
                     {"lower", p.lower},
                     {"upper", p.upper}});
@@ -123,7 +124,7 @@ Json result_json(const DesignRun& run, const OptimizedDesign& design, const Docu
   json["objective"] = run.problem().value();
   json["method"] = design_method_name(run.options().method);
   json["goals"] = goals_json(design, goals_by_pose(run), model);
-  json["effort"] = effort_json(run.state().effort);
+  json["effort"] = effort_json(run.effort());
   json["notes"] = design.notes;
   return json;
 }
@@ -206,11 +207,12 @@ Result<OptimizedDesign> optimize_command(const Document& document, const Optimiz
   while (run.step()) {
     if (const Status s = saver.after_iteration(run); !s) return s.error();
   }
+  if (!run.status()) return run.status().error();
   if (const Status s = saver.save(run); !s) return s.error();
   OptimizedDesign design;
   design.verdict = *run.verdict();
   design.message = run.message();
-  design.iterations = run.state().iteration;
+  design.iterations = static_cast<int>(run.steps().size());
   design.before = run.first_measures();
   design.after = run.problem().measures();
   design.notes = run.goals().notes;

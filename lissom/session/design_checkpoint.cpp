@@ -12,7 +12,22 @@ namespace lissom {
 
 namespace {
 using Json = nlohmann::ordered_json;
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
+
+Result<DesignStep> step_from_json(const Json& json, const std::string& where) {
+  JsonNumbers numbers(json, where);
+  DesignStep step;
+  step.stage = numbers.integer("stage");
+  step.seconds = numbers.number("seconds");
+  const VecX rms = numbers.vector("rms");
+  const Json* record = numbers.object("record");
+  if (!numbers.status()) return numbers.status().error();
+  step.rms.assign(rms.begin(), rms.end());
+  Result<DesignRecord> read = record_from_json(*record, where + "/record");
+  if (!read) return read.error();
+  step.record = std::move(read).value();
+  return step;
+}
 }  // namespace
 
 std::string design_fingerprint(const Model& model) {
@@ -25,12 +40,17 @@ std::string checkpoint_text(const DesignCheckpoint& checkpoint, const std::strin
   Json json;
   json["lissom_design"] = kVersion;
   json["fingerprint"] = fingerprint;
+  json["stage"] = checkpoint.stage;
   json["parameters"] = number_list(checkpoint.point.p);
+  json["pin_factors"] = number_list(checkpoint.point.pin_factors);
   json["states"] = Json::array();
   for (const State& state : checkpoint.point.states) json["states"].push_back(state_to_json(state));
   json["descent"] = descent_to_json(checkpoint.descent);
-  json["seconds"] = checkpoint.seconds;
-  json["rms"] = checkpoint.rms;
+  json["steps"] = Json::array();
+  for (const DesignStep& step : checkpoint.steps) {
+    json["steps"].push_back(
+        {{"stage", step.stage}, {"seconds", step.seconds}, {"rms", step.rms}, {"record", record_to_json(step.record)}});
+  }
   return json_lines(json);
 }
 
@@ -50,11 +70,12 @@ Result<DesignCheckpoint> read_checkpoint(const std::string& text, const std::str
                  "resume with what it was made from, or start anew without --resume"};
   }
   DesignCheckpoint checkpoint;
+  checkpoint.stage = numbers.integer("stage");
   checkpoint.point.p = numbers.vector("parameters");
+  checkpoint.point.pin_factors = numbers.vector("pin_factors");
   const Json* states = numbers.list("states");
   const Json* descent = numbers.object("descent");
-  const VecX seconds = numbers.vector("seconds");
-  const Json* rms = numbers.list("rms");
+  const Json* steps = numbers.list("steps");
   if (!numbers.status()) return numbers.status().error();
   for (std::size_t i = 0; i < states->size(); ++i) {
     Result<State> state = state_from_json((*states)[i], where + "/states/" + std::to_string(i));
@@ -64,13 +85,10 @@ Result<DesignCheckpoint> read_checkpoint(const std::string& text, const std::str
   Result<ConstrainedState> read = descent_from_json(*descent, where + "/descent");
   if (!read) return read.error();
   checkpoint.descent = std::move(read).value();
-  checkpoint.seconds.assign(seconds.begin(), seconds.end());
-  for (const Json& entry : *rms) {
-    const Json row{{"rms", entry}};
-    JsonNumbers own(row, where);
-    const VecX values = own.vector("rms");
-    if (!own.status()) return own.status().error();
-    checkpoint.rms.emplace_back(values.begin(), values.end());
+  for (const Json& entry : *steps) {
+    Result<DesignStep> step = step_from_json(entry, where + "/steps");
+    if (!step) return step.error();
+    checkpoint.steps.push_back(std::move(step).value());
   }
   return checkpoint;
 }

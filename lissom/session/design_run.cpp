@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "lissom/design/adaptive_pins.h"
+#include "lissom/design/parameters_of.h"
+
 namespace lissom {
 
 namespace {
@@ -63,23 +66,14 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   run->quiet_ = context;
   run->quiet_.progress = {};
   run->quiet_.log = {};
+  run->model_ = model;
   run->brief_ = *model.design;
-  run->options_ = options_of(run->brief_.settings);
   run->constraints_.tolerance = run->brief_.settings.constraint_tolerance;
-  if (const Status s = run->options_.validate(); !s) return s.error();
   if (const Status s = run->constraints_.validate(); !s) return s.error();
-  Result<BriefSpace> space = make_brief_space(run->brief_, model);
-  if (!space) return space.error();
-  Result<BriefGoals> goals = make_brief_goals(run->brief_, space.value());
-  if (!goals) return goals.error();
-  run->goals_ = std::move(goals).value();
-  if (const Status s = check_method(run->options_, run->goals_.goals); !s) return s.error();
-  StructureProblemOptions options;
-  options.solve.tolerance = run->brief_.settings.solve_tolerance;
-  Result<std::unique_ptr<StructureProblem>> problem =
-      StructureProblem::make(space.value().space, run->goals_.goals, run->goals_.wishes, options, run->quiet_);
-  if (!problem) return problem.error();
-  run->problem_ = std::move(problem).value();
+  // What is wrong with a later stage is told now, not after hours.
+  for (int stage = run->stages() - 1; stage >= 0; --stage) {
+    if (const Status s = run->make_stage(stage); !s) return s.error();
+  }
   context.report({.task = "design", .detail = "finding the shapes of the start"});
   if (const Status s = run->problem_->release(); !s) return s.error();
   run->first_ = run->problem_->design();
@@ -88,6 +82,45 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   run->first_largest_ = largest_misses(*run->problem_);
   if (const Status s = run->begin(); !s) return s.error();
   return run;
+}
+
+Status DesignRun::make_stage(int stage) {
+  Brief brief = brief_;
+  const bool last = stage + 1 == stages();
+  if (!last) {
+    const StageBrief& own = brief_.stages[static_cast<std::size_t>(stage)];
+    brief.parameters = own.parameters;
+    if (own.iterations) brief.settings.iterations = *own.iterations;
+  }
+  const auto in_stage = [&](Error error) {
+    if (!last && error.where.starts_with("/design/parameters")) {
+      error.where = fmt::format("/design/stages/{}{}", stage, error.where.substr(std::string_view("/design").size()));
+    }
+    return error;
+  };
+  options_ = options_of(brief.settings);
+  if (Status s = options_.validate(); !s) return s;
+  Result<BriefSpace> space = make_brief_space(brief, model_);
+  if (!space) return in_stage(space.error());
+  Result<BriefGoals> goals = make_brief_goals(brief, space.value());
+  if (!goals) return in_stage(goals.error());
+  goals_ = std::move(goals).value();
+  if (Status s = check_method(options_, goals_.goals); !s) return s;
+  StructureProblemOptions options;
+  options.solve.tolerance = brief.settings.solve_tolerance;
+  Result<std::unique_ptr<StructureProblem>> problem =
+      StructureProblem::make(space.value().space, goals_.goals, goals_.wishes, options, quiet_);
+  if (!problem) return in_stage(problem.error());
+  if (brief.settings.pins == DesignSettings::Pins::kAdaptive && problem.value()->constraints() > 0) {
+    return Error{ErrorCode::kUnsupported, "/design/settings/pins", "soft pins cannot adapt where goals are hard",
+                 "make the goals soft, or the pins \"fixed\""};
+  }
+  stage_end_.reset();
+  plain_.reset();
+  constrained_.reset();
+  problem_ = std::move(problem).value();
+  stage_ = stage;
+  return {};
 }
 
 Status DesignRun::begin() {
@@ -101,11 +134,32 @@ Status DesignRun::begin() {
   return {};
 }
 
-Status DesignRun::resume(DesignCheckpoint checkpoint) {
-  if (const Status s = problem_->restore(checkpoint.point); !s) return s;
-  if (checkpoint.rms.size() != checkpoint.seconds.size()) {
-    return Error{ErrorCode::kType, "/seconds", "the history of the run is not complete", "start the run anew"};
+Status DesignRun::advance() {
+  const DesignPoint point = problem_->point();
+  const Design design = problem_->design();
+  effort_before_ = effort();
+  if (Status s = make_stage(stage_ + 1); !s) return s;
+  // Pins are no parameters: they go on as they are.
+  Design asked = design;
+  for (std::size_t k = 0; k < problem_->poses().size(); ++k) {
+    const auto pose = static_cast<std::size_t>(problem_->poses()[k]->pose());
+    asked.model.poses[pose].soft_pins = problem_->design().model.poses[pose].soft_pins;
   }
+  const Result<VecX> p = parameters_of(problem_->space(), asked);
+  if (!p) return p.error();
+  if (Status s = problem_->release(&p.value(), &point); !s) return s;
+  return begin();
+}
+
+Status DesignRun::resume(DesignCheckpoint checkpoint) {
+  if (checkpoint.stage < 0 || checkpoint.stage >= stages()) {
+    return Error{ErrorCode::kType, "/stage", "the document has no such stage", "start the run anew"};
+  }
+  if (Status s = make_stage(checkpoint.stage); !s) return s;
+  if (Status s = problem_->restore(checkpoint.point); !s) return s;
+  const std::optional<DesignVerdict> verdict =
+      problem_->constraints() == 0 ? checkpoint.descent.inner.verdict : checkpoint.descent.verdict;
+  if (verdict && *verdict != DesignVerdict::kCancelled && stage_ + 1 < stages()) stage_end_ = verdict;
   if (problem_->constraints() == 0) {
     Result<Optimizer> made = Optimizer::resumed(*problem_, options_, std::move(checkpoint.descent.inner));
     if (!made) return made.error();
@@ -116,29 +170,56 @@ Status DesignRun::resume(DesignCheckpoint checkpoint) {
     if (!made) return made.error();
     constrained_.emplace(std::move(made).value());
   }
-  history_.seconds = std::move(checkpoint.seconds);
-  history_.rms = std::move(checkpoint.rms);
+  steps_ = std::move(checkpoint.steps);
+  for (const DesignStep& done : steps_) {
+    if (done.stage < stage_) effort_before_ = done.record.effort;
+  }
   return {};
 }
 
 bool DesignRun::step() {
+  if (!status_) return false;
   const auto begin = std::chrono::steady_clock::now();
+  if (ended_to_go_on()) {
+    status_ = advance();
+    return status_.ok();
+  }
   const std::size_t before = state().records.size();
   const bool goes_on = plain_ ? plain_->step(quiet_) : constrained_->step(quiet_);
   if (state().records.size() > before) {
-    const double past = history_.seconds.empty() ? 0 : history_.seconds.back();
-    history_.seconds.push_back(past + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-    std::vector<double>& rms = history_.rms.emplace_back();
-    for (const GoalMeasure& measure : problem_->measures()) rms.push_back(measure.rms);
-    context_.report({.task = "design", .iteration = state().iteration, .detail = progress()});
+    DesignStep done;
+    done.stage = stage_;
+    done.record = state().records.back();
+    done.record.effort = effort();
+    if (done.record.accepted && !stage_verdict()) status_ = adapt_pins();
+    const double past = steps_.empty() ? 0 : steps_.back().seconds;
+    done.seconds = past + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (const GoalMeasure& measure : problem_->measures()) done.rms.push_back(measure.rms);
+    steps_.push_back(std::move(done));
+    context_.report({.task = "design", .iteration = static_cast<int>(steps_.size()), .detail = progress()});
     if (context_.log) context_.log(progress());
   }
-  return goes_on;
+  return status_.ok() && (goes_on || ended_to_go_on());
+}
+
+Status DesignRun::adapt_pins() {
+  if (brief_.settings.pins == DesignSettings::Pins::kFixed) return {};
+  const Result<VecX> changes = pin_changes(*problem_, goals_);
+  if (!changes) return changes.error();
+  const Result<bool> changed = problem_->stiffen_pins(changes.value());
+  if (!changed) return changed.error();
+  if (changed.value()) plain_->value_has_changed();
+  return {};
+}
+
+bool DesignRun::ended_to_go_on() const {
+  const std::optional<DesignVerdict> verdict = stage_verdict();
+  return verdict && stage_ + 1 < stages() && *verdict != DesignVerdict::kCancelled &&
+         *verdict != DesignVerdict::kBadStart;
 }
 
 DesignCheckpoint DesignRun::checkpoint() const {
-  DesignCheckpoint saved = history_;
-  saved.point = problem_->point();
+  DesignCheckpoint saved{stage_, problem_->point(), {}, steps_};
   if (plain_) saved.descent.inner = plain_->state();
   if (constrained_) saved.descent = constrained_->state();
   return saved;
@@ -146,8 +227,19 @@ DesignCheckpoint DesignRun::checkpoint() const {
 
 const OptimizerState& DesignRun::state() const { return plain_ ? plain_->state() : constrained_->descent().state(); }
 
-std::optional<DesignVerdict> DesignRun::verdict() const {
+DesignEffort DesignRun::effort() const {
+  const DesignEffort& now = state().effort;
+  return {effort_before_.attempts + now.attempts, effort_before_.solves + now.solves,
+          effort_before_.factorizations + now.factorizations, effort_before_.back_solves + now.back_solves};
+}
+
+std::optional<DesignVerdict> DesignRun::stage_verdict() const {
+  if (stage_end_) return stage_end_;
   return plain_ ? plain_->state().verdict : constrained_->state().verdict;
+}
+
+std::optional<DesignVerdict> DesignRun::verdict() const {
+  return ended_to_go_on() ? std::optional<DesignVerdict>() : stage_verdict();
 }
 
 std::string DesignRun::message() const { return plain_ ? plain_->state().message : constrained_->state().message; }
@@ -157,9 +249,11 @@ double DesignRun::seconds_left() const {
 }
 
 std::string DesignRun::progress() const {
-  std::string text;
+  std::string text = stages() > 1 ? fmt::format("stage {} of {}: ", stage_ + 1, stages()) : std::string();
+  const std::size_t head = text.size();
   for (const GoalMeasure& measure : problem_->measures()) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", measure.name, in_unit_of_goal(measure.rms, measure.unit));
+    text += fmt::format("{}{} {}", text.size() == head ? "" : ", ", measure.name,
+                        in_unit_of_goal(measure.rms, measure.unit));
   }
   if (state().records.empty()) return text;
   const DesignRecord& record = state().records.back();

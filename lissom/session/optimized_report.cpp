@@ -61,37 +61,44 @@ std::vector<Vec3> wanted_places(const DesignRun& run, int pose) {
 }
 
 void add_history(const DesignRun& run, DesignReport& report) {
+  const auto stage_name = [&run](int stage) {
+    return run.stages() > 1 ? fmt::format("stage {}", stage + 1) : std::string();
+  };
   DesignReport::Step start;
   start.objective = kNone;
-  start.gradient = run.state().first_gradient < 0 ? kNone : run.state().first_gradient;
+  start.gradient = run.steps().empty() ? kNone : run.steps().front().record.gradient;
+  start.stage = stage_name(0);
   for (const GoalMeasure& m : run.first_measures()) start.rms.push_back(m.rms);
   start.radius = kNone;
   report.history.push_back(start);
-  for (std::size_t i = 0; i < run.state().records.size(); ++i) {
-    const DesignRecord& r = run.state().records[i];
+  for (std::size_t i = 0; i < run.steps().size(); ++i) {
+    const DesignStep& step = run.steps()[i];
+    const DesignRecord& r = step.record;
     if (!r.accepted) continue;
-    report.history.push_back({.iteration = r.iteration + 1,
-                              .seconds = run.history().seconds[i],
+    report.history.push_back({.iteration = static_cast<int>(i) + 1,
+                              .seconds = step.seconds,
                               .objective = r.value,
                               .gradient = r.gradient,
                               .active_bounds = r.active_bounds,
                               .radius = r.cap,
-                              .rms = run.history().rms[i]});
+                              .stage = stage_name(step.stage),
+                              .rms = step.rms});
   }
 }
 
 void add_parameters(const DesignRun& run, DesignReport& report) {
   const StructureProblem& problem = run.problem();
   const std::span<const Parameter> parameters = problem.space().parameters();
+  const VecX start = problem.space().start();
   for (int i = 0; i < problem.size(); ++i) {
     const Parameter& p = parameters[static_cast<std::size_t>(i)];
     const double value = problem.p()[i];
     const double gradient = run.state().promise.size() == problem.size() ? run.state().promise[i] : 0;
     using Bound = DesignReport::Parameter::Bound;
     const Bound bound = value <= p.lower ? Bound::kLower : value >= p.upper ? Bound::kUpper : Bound::kFree;
-    report.parameters.push_back(
-        {p.name, p.name.substr(p.name.rfind(": ") == std::string::npos ? 0 : p.name.rfind(": ") + 2),
-         measure_of(si_unit(p.kind)), run.first_point().p[i], value, p.lower, p.upper, gradient, bound});
+    report.parameters.push_back({p.name,
+                                 p.name.substr(p.name.rfind(": ") == std::string::npos ? 0 : p.name.rfind(": ") + 2),
+                                 measure_of(si_unit(p.kind)), start[i], value, p.lower, p.upper, gradient, bound});
   }
 }
 
@@ -117,7 +124,7 @@ DesignReport report_of(const DesignRun& run) {
                  static_cast<int>(problem.poses().size()),
                  problem.size(),
                  static_cast<int>(run.goals().goals.size())};
-  report.seconds = run.history().seconds.empty() ? 0 : run.history().seconds.back();
+  report.seconds = run.steps().empty() ? 0 : run.steps().back().seconds;
   report.warnings = run.goals().notes;
   add_history(run, report);
   add_parameters(run, report);

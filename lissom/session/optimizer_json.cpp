@@ -78,8 +78,10 @@ class StateReader {
     ConstrainedState s;
     s.multipliers = n.vector("multipliers");
     s.penalty = n.number("penalty");
+    s.first_violation = n.number("first_violation");
     s.violation = n.number("violation");
     s.round = n.integer("round");
+    s.round_began = n.integer("round_began");
     s.stuck = n.integer("stuck");
     s.verdict = verdict(n);
     s.message = n.text("message");
@@ -87,6 +89,26 @@ class StateReader {
     take(n);
     if (inner != nullptr) s.inner = optimizer(*inner);
     return s;
+  }
+
+  DesignRecord record(const Json& json, const std::string& where) {
+    JsonNumbers n(json, where);
+    DesignRecord r;
+    r.iteration = n.integer("iteration");
+    r.accepted = n.flag("accepted");
+    r.value = n.number("value");
+    r.gradient = n.number("gradient");
+    r.predicted = n.number("predicted");
+    r.step_length = n.number("step_length");
+    r.active_bounds = n.integer("active_bounds");
+    r.attempts = counts(n, "attempts");
+    r.cap = n.number("cap");
+    r.damping = n.number("damping");
+    r.hessian_products = n.integer("hessian_products");
+    r.effort = effort(n);
+    r.iterations_left = n.integer("iterations_left");
+    take(n);
+    return r;
   }
 
  private:
@@ -126,26 +148,6 @@ class StateReader {
     return e;
   }
 
-  DesignRecord record(const Json& json) {
-    JsonNumbers n(json, where_ + "/records");
-    DesignRecord r;
-    r.iteration = n.integer("iteration");
-    r.accepted = n.flag("accepted");
-    r.value = n.number("value");
-    r.gradient = n.number("gradient");
-    r.predicted = n.number("predicted");
-    r.step_length = n.number("step_length");
-    r.active_bounds = n.integer("active_bounds");
-    r.attempts = counts(n, "attempts");
-    r.cap = n.number("cap");
-    r.damping = n.number("damping");
-    r.hessian_products = n.integer("hessian_products");
-    r.effort = effort(n);
-    r.iterations_left = n.integer("iterations_left");
-    take(n);
-    return r;
-  }
-
   SecantMemory secant(const Json& json) {
     JsonNumbers n(json, where_ + "/secant");
     SecantMemory memory;
@@ -178,7 +180,7 @@ class StateReader {
     s.promise = n.vector("promise");
     s.effort = effort(n);
     if (const Json* records = n.list("records")) {
-      for (const Json& entry : *records) s.records.push_back(record(entry));
+      for (const Json& entry : *records) s.records.push_back(record(entry, where_ + "/records"));
     }
     s.verdict = verdict(n);
     s.message = n.text("message");
@@ -192,12 +194,23 @@ class StateReader {
 
 }  // namespace
 
+Json record_to_json(const DesignRecord& record) { return json_of(record); }
+
+Result<DesignRecord> record_from_json(const Json& json, const std::string& where) {
+  StateReader reader(where);
+  DesignRecord record = reader.record(json, where);
+  if (!reader.status()) return reader.status().error();
+  return record;
+}
+
 Json descent_to_json(const ConstrainedState& s) {
   Json json;
   json["multipliers"] = number_list(s.multipliers);
   json["penalty"] = s.penalty;
+  json["first_violation"] = s.first_violation;
   json["violation"] = s.violation;
   json["round"] = s.round;
+  json["round_began"] = s.round_began;
   json["stuck"] = s.stuck;
   json["verdict"] = json_of(s.verdict);
   json["message"] = s.message;

@@ -10,6 +10,9 @@
 
 namespace lissom {
 
+nlohmann::ordered_json record_to_json(const DesignRecord& record);
+Result<DesignRecord> record_from_json(const nlohmann::ordered_json& json, const std::string& where);
+
 /// Without constraints the multipliers are an empty list.
 nlohmann::ordered_json descent_to_json(const ConstrainedState& state);
 

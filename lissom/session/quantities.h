@@ -47,7 +47,7 @@ using Evaluator = Result<double> (*)(const Measurement&);
 
 struct QuantityInfo {
   std::string_view name;
-  std::string_view unit;         ///< SI, of the evaluated number
+  std::string_view unit;         ///< SI, of the evaluated number; empty: that of a parameter decides
   std::string_view description;  ///< one line
   unsigned reads = 0;            ///< sum of QuantityField
   unsigned needs = 0;            ///< of which have to be given

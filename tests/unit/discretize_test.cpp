@@ -183,7 +183,10 @@ TEST(Discretize, NaturalCurveGivesItsLengthsStrainsAndClampFrames) {
 TEST(Discretize, CurvedAndTwistedRestShapeFollowsItsStrains) {
   Model model;
   Rod rod = straight("rod", Vec3::Zero(), Vec3(0.3, 0, 0), 30);
-  rod.natural = {Natural::Kind::kCurved, 3, -4, 20, {}, {}};
+  rod.natural.kind = Natural::Kind::kCurved;
+  rod.natural.curvature_b = 3;
+  rod.natural.curvature_n = -4;
+  rod.natural.twist = 20;
   model.rods = {rod};
   const Structure s = built(model);
   const double factor = 2 * std::tan(5 * 0.01 / 2) / 5;
