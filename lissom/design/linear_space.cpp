@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lissom/core/assert.h"
+#include "lissom/design/redrawn.h"
 #include "lissom/mechanics/supports.h"
 
 namespace lissom {
@@ -59,6 +60,8 @@ Result<LinearSpace> LinearSpace::make(std::shared_ptr<const Design> base, std::v
   out.origin_ = offset == Offset::kBase ? out.start_ : VecX(VecX::Zero(out.start_.size()));
   const DesignValues values = values_of(*out.base_);
   out.inputs_ = Claimed(out.rows_.inputs, values.inputs, offset);
+  const int places = 3 * static_cast<int>(out.base_->system.structure.nodes.size());
+  out.claims_places_ = !out.inputs_.rows.empty() && out.inputs_.rows.front() < places;
   LISSOM_ASSERT(out.rows_.poses.empty() || out.rows_.poses.size() == values.poses.size());
   for (std::size_t k = 0; k < out.rows_.poses.size(); ++k) {
     out.loads_.emplace_back(out.rows_.poses[k].loads, values.poses[k].loads, offset);
@@ -89,6 +92,14 @@ Result<Design> LinearSpace::at(const VecX& p) const { return applied(*base_, p);
 Result<Design> LinearSpace::applied(Design design, const VecX& p) const {
   if (Status s = check_bounds(parameters_, p); !s) return s.error();
   DesignValues values = values_of(design);
+  if (claims_places_ && !has_own_normals(design.system.structure)) {
+    // Also where nothing has moved yet: derivatives there are of a drawing whose normals stay.
+    const Eigen::Index places = 3 * static_cast<Eigen::Index>(design.system.structure.nodes.size());
+    if (Status s = redraw(design.model, design.system.structure, values.inputs.head(places)); !s) return s.error();
+    Result<System> system = make_system(design.model, std::move(design.system.structure));
+    if (!system) return system.error();
+    design.system = std::move(system).value();
+  }
   const VecX step = p - origin_;
   inputs_.set(rows_.inputs, step, values.inputs);
   for (std::size_t k = 0; k < rows_.poses.size(); ++k) {

@@ -57,6 +57,7 @@ class LinearSpace final : public DesignSpace {
   };
   VecX origin_;
   Claimed inputs_;
+  bool claims_places_ = false;          // of nodes
   std::vector<Claimed> loads_, moves_;  // by pose
 };
 

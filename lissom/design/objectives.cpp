@@ -10,6 +10,7 @@ constexpr ObjectiveInfo kObjectives[] = {
     {"position of a set", "m", "mean of the places of a set of nodes"},
     {"orientation of a set", "rad",
      "rotation vector of a set of nodes against given places, by the best-fitting rigid motion"},
+    {"distance", "m", "distance of the mean places of two sets of nodes, or its part along an axis"},
     {"angle", "rad", "angle between two directions, each from a node to another"},
     {"reaction force", "N", "force of the supports on a set of nodes, along given axes"},
     {"membrane area", "m^2", "area of membranes as they are stretched"},

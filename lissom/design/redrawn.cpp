@@ -1,5 +1,6 @@
 #include "lissom/design/redrawn.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -110,6 +111,11 @@ Status check_redrawable(const Model& model, const Structure& structure) {
                  "draw the rod in its natural shape, or leave the rest shape alone"};
   }
   return {};
+}
+
+bool has_own_normals(const Structure& structure) {
+  return std::none_of(structure.edges.begin(), structure.edges.end(),
+                      [](const StructureEdge& edge) { return edge.natural_normal.isZero(); });
 }
 
 Status redraw(Model& model, Structure& structure, const VecX& places) {

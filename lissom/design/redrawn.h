@@ -13,6 +13,9 @@ namespace lissom {
 /// described apart from the drawing.
 Status check_redrawable(const Model& model, const Structure& structure);
 
+/// Whether every edge has a normal of its own, so that derivatives by places are the whole truth.
+bool has_own_normals(const Structure& structure);
+
 /// `places`: m, three per node, in the order of the structure. Selectors that name places (boxes, points) go on to name the
 /// same nodes. Takes a model that can be redrawn. kGeometry where an edge would lose its length, turn back or run along its
 /// normal; kConflict where a pose would select other nodes.

@@ -57,7 +57,7 @@ Status settle(StructureProblem& problem, double first_gradient, const Context& c
     result.settled_reason = design.error().text();
     return {};
   }
-  DesignPoint found{result.point.p, {}};
+  DesignPoint found{result.point.p, {}, before.pin_factors};
   for (std::size_t k = 0; k < problem.poses().size(); ++k) {
     const State& start = result.point.states[k];
     SolveOptions options = problem.options().solve;

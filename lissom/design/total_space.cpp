@@ -61,6 +61,10 @@ Result<std::unique_ptr<TotalSpace>> TotalSpace::make(const StructureProblem& pro
                  "in total space there are no hard goals besides equilibrium",
                  "make the goal soft, or use a method of the reduced problem"};
   }
+  if ((problem.point().pin_factors.array() != 1).any()) {
+    return Error{ErrorCode::kUnsupported, "/design/settings/pins", "in total space soft pins are as stiff as described",
+                 "make pins \"fixed\", or use a method of the reduced problem"};
+  }
   std::unique_ptr<TotalSpace> space(new TotalSpace(problem, context));
   for (const auto& follower : problem.poses()) {
     if (const Status s = space->add_part(follower->pose()); !s) return s.error();

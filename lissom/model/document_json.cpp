@@ -163,6 +163,8 @@ void describe(Fields& fields, DocumentEntry& document) {
       .field("poses", m.poses, ListOf<PoseOf>{}, kOptional, "Situations: what is held, moved and loaded.")
       .field("motions", m.motions, ListOf<MotionOf>{}, kOptional, "Motions in time.")
       .field("design", m.design, BriefOf(), kOptional, "What `lissom optimize` may change, and what it should reach.")
+      .field("calibration", m.calibration, CalibrationOf(), kOptional,
+             "What `lissom calibrate` is to find, and from which measurements.")
       .field("expect", m.expectations, ListOf<ExpectationOf>{}, kOptional, "Numbers that `lissom verify` checks.");
 }
 

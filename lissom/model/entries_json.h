@@ -152,6 +152,13 @@ struct BriefOf {
   JsonValue schema(Schema& schema) const;
 };
 
+/// Which material numbers are unknown, and what was measured.
+struct CalibrationOf {
+  void read(Reader& reader, const JsonValue& json, Calibration& calibration) const;
+  JsonValue write(const Calibration& calibration) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 struct MotionOf {
   void read(Reader& reader, const JsonValue& json, MotionCase& motion) const;
   JsonValue write(const MotionCase& motion) const;

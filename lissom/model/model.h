@@ -9,6 +9,7 @@
 
 #include "lissom/core/result.h"
 #include "lissom/model/brief.h"
+#include "lissom/model/calibration.h"
 #include "lissom/model/curve.h"
 #include "lissom/model/expectation.h"
 #include "lissom/model/fabric_test.h"
@@ -104,7 +105,8 @@ struct Model {
   std::vector<NamedSet> sets;
   std::vector<Pose> poses;
   std::vector<MotionCase> motions;
-  std::optional<Brief> design;  ///< what `lissom optimize` may change, and to which end
+  std::optional<Brief> design;             ///< what `lissom optimize` may change, and to which end
+  std::optional<Calibration> calibration;  ///< what `lissom calibrate` is to find from which measurements
   std::vector<Expectation> expectations;
 
   const Material* material(std::string_view name) const;  ///< own first, then the library; null when unknown

@@ -49,6 +49,8 @@ constexpr NamedUnit kUnits[] = {
     {"uN", kForceUnit, 1, -6},
     {"kN", kForceUnit, 1, 3},
     {"MN", kForceUnit, 1, 6},
+    {"gf", kForceUnit, 980665, -8},
+    {"kgf", kForceUnit, 980665, -5},
     {"Pa", kStressUnit, 1, 0},
     {"kPa", kStressUnit, 1, 3},
     {"MPa", kStressUnit, 1, 6},

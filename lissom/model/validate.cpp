@@ -253,6 +253,7 @@ Status Model::validate() const {
   for (std::size_t i = 0; i < motions.size() && !check.failed(); ++i)
     check_motion(check, motions[i], at("", "motions", i));
   if (design && !check.failed()) check_design(check, *design, "/design");
+  if (calibration && !check.failed()) check_calibration(check, *calibration, "/calibration");
   for (std::size_t i = 0; i < expectations.size() && !check.failed(); ++i) {
     check_expectation(check, expectations[i], at("", "expect", i));
   }

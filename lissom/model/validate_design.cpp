@@ -42,19 +42,6 @@ void check_names(Checker& check, const std::vector<std::string>& names, const st
   }
 }
 
-/// The pose of this name, or the only one; null after a mistake.
-const Pose* pose_of(Checker& check, const std::string& name, const std::string& where) {
-  if (check.failed()) return nullptr;
-  if (!name.empty()) check.known(name, check.poses, "pose", where + "/pose");
-  if (name.empty() && check.model.poses.size() != 1) {
-    check.fail(ErrorCode::kUnknown, where + "/pose",
-               check.model.poses.empty() ? "the document has no pose" : "it is not said which pose is meant",
-               check.model.poses.empty() ? "describe one under \"poses\"" : "name one of the poses");
-  }
-  if (check.failed()) return nullptr;
-  return name.empty() ? &check.model.poses.front() : check.model.pose(name);
-}
-
 struct ParameterCheck {
   Checker& check;
   const std::string& where;  ///< of the parameter
@@ -112,7 +99,7 @@ struct ParameterCheck {
         {"force", "force"}, {"moment", "moment"}, {"pin_target", "soft pin"}, {"move", "support"}};
     const Words words = kWords[static_cast<int>(load.kind)];
     const std::string own = at(words.key);
-    const Pose* pose = pose_of(check, load.pose, own);
+    const Pose* pose = check_pose_name(check, load.pose, own);
     if (pose == nullptr) return;
     const std::size_t counts[] = {pose->forces.size(), pose->moments.size(), pose->soft_pins.size(),
                                   pose->supports.size()};
@@ -234,22 +221,6 @@ void check_iterations(Checker& check, int iterations, const std::string& where) 
   check.fail(ErrorCode::kRange, where + "/iterations", "at least one iteration is needed", "100 is usual");
 }
 
-/// The parameters of a stage, at `where`.
-void check_parameters(Checker& check, const std::vector<ParameterBrief>& parameters, const std::string& where) {
-  if (parameters.empty()) {
-    check.fail(ErrorCode::kType, where + "/parameters", "nothing may change", "say what a design may change");
-  }
-  for (std::size_t i = 0; i < parameters.size() && !check.failed(); ++i) {
-    const ParameterBrief& parameter = parameters[i];
-    const std::string own = fmt::format("{}/parameters/{}", where, i);
-    std::visit(ParameterCheck{check, own}, parameter.what);
-    if (!parameter.mirror || check.failed()) continue;
-    check.direction(parameter.mirror->normal, own + "/mirror/normal");
-    check.finite(parameter.mirror->offset, own + "/mirror/offset");
-    check.not_negative(parameter.mirror->tolerance, own + "/mirror/within", "distance");
-  }
-}
-
 void check_settings(Checker& check, const DesignSettings& settings, const std::string& where) {
   if (std::find(kBriefMethods.begin(), kBriefMethods.end(), settings.method) == kBriefMethods.end()) {
     check.fail(ErrorCode::kUnknown, where + "/method", fmt::format("there is no method \"{}\"", settings.method),
@@ -268,6 +239,33 @@ void check_settings(Checker& check, const DesignSettings& settings, const std::s
 
 }  // namespace
 
+const Pose* check_pose_name(Checker& check, const std::string& name, const std::string& where) {
+  if (check.failed()) return nullptr;
+  if (!name.empty()) check.known(name, check.poses, "pose", where + "/pose");
+  if (name.empty() && check.model.poses.size() != 1) {
+    check.fail(ErrorCode::kUnknown, where + "/pose",
+               check.model.poses.empty() ? "the document has no pose" : "it is not said which pose is meant",
+               check.model.poses.empty() ? "describe one under \"poses\"" : "name one of the poses");
+  }
+  if (check.failed()) return nullptr;
+  return name.empty() ? &check.model.poses.front() : check.model.pose(name);
+}
+
+void check_parameters(Checker& check, const std::vector<ParameterBrief>& parameters, const std::string& where) {
+  if (parameters.empty()) {
+    check.fail(ErrorCode::kType, where + "/parameters", "nothing may change", "say what a design may change");
+  }
+  for (std::size_t i = 0; i < parameters.size() && !check.failed(); ++i) {
+    const ParameterBrief& parameter = parameters[i];
+    const std::string own = fmt::format("{}/parameters/{}", where, i);
+    std::visit(ParameterCheck{check, own}, parameter.what);
+    if (!parameter.mirror || check.failed()) continue;
+    check.direction(parameter.mirror->normal, own + "/mirror/normal");
+    check.finite(parameter.mirror->offset, own + "/mirror/offset");
+    check.not_negative(parameter.mirror->tolerance, own + "/mirror/within", "distance");
+  }
+}
+
 void check_design(Checker& check, const Brief& brief, const std::string& where) {
   for (std::size_t k = 0; k < brief.stages.size() && !check.failed(); ++k) {
     const std::string own = fmt::format("{}/stages/{}", where, k);
@@ -279,7 +277,7 @@ void check_design(Checker& check, const Brief& brief, const std::string& where) 
   for (std::size_t i = 0; i < brief.goals.size() && !check.failed(); ++i) {
     const GoalBrief& goal = brief.goals[i];
     const std::string own = fmt::format("{}/goals/{}", where, i);
-    if (pose_of(check, goal.pose, own) == nullptr) return;
+    if (check_pose_name(check, goal.pose, own) == nullptr) return;
     std::visit(GoalCheck{check, own}, goal.what);
     check.positive(goal.weight, own + "/weight", "weight");
   }

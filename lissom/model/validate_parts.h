@@ -61,6 +61,11 @@ void check_fabric_test(Checker& check, const FabricTest& test, const std::string
 void check_membrane(Checker& check, const Membrane& membrane, const std::string& where);
 void check_pose(Checker& check, const Pose& pose, const std::string& where);
 void check_design(Checker& check, const Brief& brief, const std::string& where);
+/// The parameters of a design, a stage or a calibration, at `where`.
+void check_parameters(Checker& check, const std::vector<ParameterBrief>& parameters, const std::string& where);
+/// The pose of this name, or the only one; null after a mistake, whose place is `where` + "/pose".
+const Pose* check_pose_name(Checker& check, const std::string& name, const std::string& where);
+void check_calibration(Checker& check, const Calibration& calibration, const std::string& where);
 void check_motion(Checker& check, const MotionCase& motion, const std::string& where);
 void check_expectation(Checker& check, const Expectation& expectation, const std::string& where);
 

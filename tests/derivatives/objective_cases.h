@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lissom/design/objective_angle.h"
+#include "lissom/design/objective_distance.h"
 #include "lissom/design/objective_enclosed_volume.h"
 #include "lissom/design/objective_mass.h"
 #include "lissom/design/objective_membrane_area.h"
@@ -130,6 +131,8 @@ inline std::vector<Case> cases_of(Shape& shape) {
   Eigen::Matrix3Xd places(3, 6);
   for (int i = 0; i < 6; ++i) places.col(i) = rotation_from_vector({0.9, -1.2, 0.7}) * system.structure.nodes[i + 2];
   add("turn of a set", taken(make_set_orientation({2, 3, 4, 5, 6, 7}, places)), Rigid::kOther);
+  add("distance", make_distance(std::vector<int>{2, 5}, {7, 9, 12}, {}), Rigid::kSame);
+  add("distance along an axis", make_distance(Vec3(0.01, 0.02, -0.1), {7, 9}, Vec3(1, 2, -3)), Rigid::kOther);
   add("angle", make_angle({0, 7, 3, 12}), Rigid::kSame);
   add("angle at a node", make_angle({6, 7, 6, 12}), Rigid::kSame);
   add("angle about an axis", make_angle({0, 7, 3, 12}, Vec3(0.3, -0.4, 2)), Rigid::kOther);

@@ -137,6 +137,15 @@ class ModelBits {
             x.solve_tolerance);
   }
   void add(const Brief& x) { add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.settings); }
+  void add(const ForceLengthBrief& x) { add_all(x.pose, x.file, x.from, x.to, x.axis, x.prescribed, x.sigma); }
+  void add(const ShapesBrief& x) { add_all(x.pose, x.file, x.sigma); }
+  void add(const MeasurementBrief& x) {
+    add(static_cast<int>(x.index()));
+    std::visit([this](const auto& brief) { add(brief); }, x);
+  }
+  void add(const Calibration& x) {
+    add_all(x.parameters, x.measurements, x.confidence, x.iterations, x.solve_tolerance);
+  }
   void add(const Expectation& x) {
     add_all(x.label, x.quantity, x.poses, x.at, x.to, x.axis, x.rod, x.membrane, x.fabric_test, x.parameter, x.fraction,
             x.mode, x.mode_kind, x.combine, x.edges, x.scale, x.offset, x.value, x.unit, x.tolerance_relative,
@@ -145,7 +154,7 @@ class ModelBits {
   void add(const Model& x) {
     add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.fabric_tests,
             x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.design,
-            x.expectations);
+            x.calibration, x.expectations);
   }
   template <class... T>
   void add_all(const T&... x) {

@@ -55,6 +55,8 @@ TEST(Units, QuantitiesAreTheNearestSiDouble) {
   EXPECT_EQ(si("7 um"), 7e-6);
   EXPECT_EQ(si("7 \u00b5m"), 7e-6);
   EXPECT_EQ(si("2 t"), 2000);
+  EXPECT_EQ(si("1 kgf"), 9.80665);
+  EXPECT_EQ(si("100 gf"), 0.980665);
   EXPECT_EQ(si(" .5 kN "), 500);
   EXPECT_EQ(si("-3. GPa"), -3e9);
   EXPECT_TRUE(same_bits(si("-0 mm"), -0.0));
