@@ -7,6 +7,7 @@ help:
 	@echo "  make run     set up, build, solve the demo scenes, say where the results are"
 	@echo "  make test    set up, build, run every test; ends with 'N passed, N failed'"
 	@echo "  make bench   set up, build, measure; writes build/bench.json and a table"
+	@echo "  make bench-inverse   the same for inverse design alone, beside optimisers of others"
 	@echo ""
 	@echo "  make build   configure and build everything in build/release"
 	@echo "  make setup   install what is missing from Debian's packages (asks nothing)"
@@ -29,6 +30,13 @@ bench:
 	@tools/build.sh release benches
 	@/usr/bin/env python3 tools/bench.py build/release
 
+# The study of docs/guide/inverse.md; tools/kill_and_resume.py kills the design of the Sheet ten times.
+bench-inverse:
+	@tools/setup.sh bench
+	@tools/build.sh release benches lissom_cli
+	@/usr/bin/env python3 tools/bench.py build/release inverse_sheet_bench gradient_cost_bench inverse_study_bench methods_bench
+	@/usr/bin/env python3 tools/kill_and_resume.py
+
 build:
 	@tools/build.sh release
 
@@ -46,4 +54,4 @@ lint:
 clean:
 	rm -rf build out
 
-.PHONY: help run test bench build setup format lint clean
+.PHONY: help run test bench bench-inverse build setup format lint clean

@@ -98,14 +98,14 @@ inline Result<Model> dragged_disc() {
   for (std::size_t i = 0; i < nodes.value().size(); ++i) {
     targets.push_back(places.value()[static_cast<std::size_t>(nodes.value()[i])] + drags[i]);
   }
-  // Held softly where it is, at two points that are not dragged: else it might lie anywhere.
-  for (const char* name : {"w", "s"}) {
+  // Held softly where it is at three points, one of which is dragged all the same: else it might lie anywhere.
+  for (const char* name : {"w", "s", "n"}) {
     Selector at;
     at.kind = Selector::Kind::kPlanPoint;
     at.name = name;
     const Result<std::vector<int>> node = select(model, system.value().structure, at, name);
     if (!node) return node.error();
-    model.poses[0].soft_pins.push_back({at, 20, places.value()[static_cast<std::size_t>(node.value()[0])]});
+    model.poses[0].soft_pins.push_back({at, 2, places.value()[static_cast<std::size_t>(node.value()[0])]});
   }
   model.design.emplace();
   PlanBrief plan;

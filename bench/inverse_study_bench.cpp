@@ -1,9 +1,15 @@
 /// Six inverse problems by every method: iterations, equilibria, time, where they end, what failed. docs/guide/inverse.md has the
 /// table and what follows from it.
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "bench/inverse_problems.h"
@@ -12,12 +18,14 @@
 #include "bench/yardsticks/ipopt_yardstick.h"
 #include "lissom/core/parallel.h"
 #include "lissom/design/optimizer.h"
+#include "lissom/design/projected_problem.h"
+#include "lissom/design/total_methods.h"
 
 namespace lissom {
 namespace {
 
 constexpr int kMostIterations = 150;
-constexpr double kMostSeconds = 60;  // of one method on one problem
+constexpr double kMostSeconds = 30;  // of one method on one problem
 constexpr double kGradient = 1e-7, kDecrease = 1e-9;
 
 struct Line {
@@ -38,7 +46,14 @@ void print(const char* problem, const Line& line) {
   row(name, "h", line.value, "");
 }
 
-Line by(StructureProblem& problem, const OptimizeOptions& options, std::string name, const Context& context) {
+OptimizeOptions of_method(DesignMethod method) {
+  return {.method = method,
+          .max_iterations = kMostIterations,
+          .gradient_tolerance = kGradient,
+          .decrease_tolerance = kDecrease};
+}
+
+Line by(ReducedProblem& problem, const OptimizeOptions& options, std::string name, const Context& context) {
   Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, 0, {}};
   const double begin = now_ms();
   Optimizer optimizer(problem, options);
@@ -75,6 +90,53 @@ Line by_library(StructureProblem& problem, const char* name, Run run) {
   return line;
 }
 
+Line in_total_space(StructureProblem& problem, const TotalOptions& options, std::string name, const Context& context) {
+  Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, 0, {}};
+  const double begin = now_ms();
+  std::atomic<bool> late = false;
+  // It looks at the context only, so the limit of time is set from the side.
+  Context limited = context;
+  limited.cancel = &late;
+  std::condition_variable ended;
+  std::mutex mutex;
+  bool done = false;
+  std::thread clock([&] {
+    std::unique_lock lock(mutex);
+    late = !ended.wait_for(lock, std::chrono::duration<double>(kMostSeconds), [&] { return done; });
+  });
+  const Result<TotalResult> result = minimize_in_total_space(problem, options, limited);
+  {
+    const std::lock_guard lock(mutex);
+    done = true;
+  }
+  ended.notify_one();
+  clock.join();
+  line.seconds = 1e-3 * (now_ms() - begin);
+  if (!result) {
+    line.ending = result.error().message;
+    line.value = problem.value();
+    return line;
+  }
+  const TotalResult& r = result.value();
+  line.iterations = r.iterations;
+  line.effort.factorizations = r.effort.factorizations + r.settled_factorizations;
+  line.effort.back_solves = r.effort.back_solves;
+  line.effort.solves = 1;
+  line.value = r.settled == Outcome::kSettled ? r.settled_value : r.value;
+  line.failed = r.settled == Outcome::kSettled ? 0 : 1;
+  line.ending = std::string(late ? "out of time" : total_verdict_info(r.verdict).name);
+  if (r.settled != Outcome::kSettled) line.ending += ", not settled: " + r.settled_reason;
+  return line;
+}
+
+Line on_projection(StructureProblem& problem, ProjectionRule rule, std::string name, const Context& context) {
+  Result<std::unique_ptr<ProjectedProblem>> projected = ProjectedProblem::make(problem, {.rule = rule}, context);
+  if (!projected) return {std::move(name), 0, 0, {}, 0, problem.value(), problem.value(), 0, projected.error().message};
+  Line line = by(*projected.value(), of_method(DesignMethod::kStructuredBfgs), std::move(name), context);
+  line.effort = problem.effort();
+  return line;
+}
+
 struct Method {
   std::string name;
   OptimizeOptions options;
@@ -83,10 +145,7 @@ struct Method {
 std::vector<Method> methods() {
   std::vector<Method> all;
   for (const DesignMethodInfo& info : design_methods()) {
-    OptimizeOptions options{.method = info.method,
-                            .max_iterations = kMostIterations,
-                            .gradient_tolerance = kGradient,
-                            .decrease_tolerance = kDecrease};
+    OptimizeOptions options = of_method(info.method);
     if (secant_rule(info.method)) {
       all.push_back({std::string(info.name) + ", line search", options});
       options.control = StepControl::kTrustRegion;
@@ -121,6 +180,17 @@ bool study(const inverse::Case& c, const char* only, const Context& context) {
   bool good = true;
   for (const Method& method : methods()) {
     good = with(method.name, [&](StructureProblem& p) { return by(p, method.options, method.name, context); }) && good;
+  }
+  using Rule = ProjectionRule;
+  for (const auto& [rule, name] : {std::pair(Rule::kNormalFlow, "structured_bfgs on normal flow"),
+                                   std::pair(Rule::kTargetWeighted, "structured_bfgs on target-weighted")}) {
+    good = with(name, [&, r = rule, n = name](StructureProblem& p) { return on_projection(p, r, n, context); }) && good;
+  }
+  for (const TotalMethod method : {TotalMethod::kLagrangeNewton, TotalMethod::kLagrangeGaussNewton,
+                                   TotalMethod::kPenalty, TotalMethod::kAugmentedLagrangian}) {
+    const std::string name = "total space: " + std::string(total_method_name(method));
+    const TotalOptions options{.method = method, .max_iterations = kMostIterations, .gradient_tolerance = kGradient};
+    good = with(name, [&](StructureProblem& p) { return in_total_space(p, options, name, context); }) && good;
   }
   good = with("Ipopt", [](StructureProblem& p) { return by_library(p, "Ipopt", run_ipopt); }) && good;
   good = with("ALGLIB", [](StructureProblem& p) { return by_library(p, "ALGLIB minbc", run_alglib); }) && good;

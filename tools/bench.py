@@ -83,7 +83,12 @@ def main():
         print("usage: tools/bench.py BUILD_DIR [NAME...]", file=sys.stderr)
         return 2
     build = Path(sys.argv[1]).resolve()
-    names = sys.argv[2:] or sorted(path.stem for path in (ROOT / "bench").glob("*.cpp"))
+    names = sys.argv[2:]
+    if not names:
+        everything = sorted(path.stem for path in (ROOT / "bench").glob("*.cpp"))
+        names = [name for name in everything if (build / "bench" / name).exists()]
+        for name in sorted(set(everything) - set(names)):
+            print(f"== bench: {name} is left out: this build does not have it (tools/setup.sh bench brings what it needs)")
     if not names:
         print("tools/bench.py: there is nothing in bench/ to run", file=sys.stderr)
         return 1

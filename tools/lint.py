@@ -92,7 +92,8 @@ def lint(program, index, batch):
     (folder / "compile_commands.json").write_text(json.dumps(entries))
     if len(files) > 1:
         status, text = tidy(program, folder, unit)
-        if not CLASH.search(text):
+        # A crash, too, says nothing of the other files of its batch.
+        if status in (0, 1) and not CLASH.search(text):
             return status, text, False
     results = [tidy(program, folder, path) for path in files]
     return any(status for status, _ in results), "\n".join(text for _, text in results if text), len(files) > 1

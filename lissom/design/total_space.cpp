@@ -190,7 +190,7 @@ Status TotalSpace::stand_at(const DesignPoint& point) {
 }
 
 DesignPoint TotalSpace::point() const {
-  DesignPoint point{p_, {}};
+  DesignPoint point{p_, {}, VecX::Ones(static_cast<Eigen::Index>(parts_.size()))};
   for (const auto& part : parts_) point.states.push_back(part->state);
   return point;
 }
