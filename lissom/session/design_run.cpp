@@ -1,5 +1,6 @@
 #include "lissom/session/design_run.h"
 
+#include <charconv>
 #include <chrono>
 #include <fmt/format.h>
 #include <utility>
@@ -31,6 +32,24 @@ Status check_method(const OptimizeOptions& options, const std::vector<Goal>& goa
     if (Status s = check_curvature(goal); !s) return s;
   }
   return {};
+}
+
+/// Methods know parameters by their numbers: "parameter 3" becomes "parameter (rod 1: r_n)".
+std::string with_parameter_names(const std::string& text, std::span<const Parameter> parameters) {
+  constexpr std::string_view kWord = "parameter ";
+  std::string named;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(kWord); at != std::string::npos; at = text.find(kWord, from)) {
+    const std::size_t digits = at + kWord.size();
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data() + digits, text.data() + text.size(), number);
+    named += text.substr(from, digits - from);
+    from = digits;
+    if (error != std::errc() || number >= parameters.size()) continue;
+    named += "(" + parameters[number].name + ")";
+    from = static_cast<std::size_t>(end - text.data());
+  }
+  return named + text.substr(from);
 }
 
 }  // namespace
@@ -80,6 +99,7 @@ Result<std::unique_ptr<DesignRun>> DesignRun::start(const Model& model, const Co
   run->first_point_ = run->problem_->point();
   run->first_measures_ = run->problem_->measures();
   run->first_largest_ = largest_misses(*run->problem_);
+  run->first_value_ = run->problem_->value();
   if (const Status s = run->begin(); !s) return s.error();
   return run;
 }
@@ -242,7 +262,10 @@ std::optional<DesignVerdict> DesignRun::verdict() const {
   return ended_to_go_on() ? std::optional<DesignVerdict>() : stage_verdict();
 }
 
-std::string DesignRun::message() const { return plain_ ? plain_->state().message : constrained_->state().message; }
+std::string DesignRun::message() const {
+  const std::string& text = plain_ ? plain_->state().message : constrained_->state().message;
+  return with_parameter_names(text, problem_->space().parameters());
+}
 
 double DesignRun::seconds_left() const {
   return plain_ ? plain_->seconds_left() : constrained_->descent().seconds_left();

@@ -69,6 +69,7 @@ class DesignRun {
   const DesignPoint& first_point() const { return first_point_; }
   const std::vector<GoalMeasure>& first_measures() const { return first_measures_; }
   const std::vector<double>& first_largest() const { return first_largest_; }
+  double first_value() const { return first_value_; }  ///< h
   const OptimizeOptions& options() const { return options_; }
 
  private:
@@ -92,6 +93,7 @@ class DesignRun {
   DesignPoint first_point_;
   std::vector<GoalMeasure> first_measures_;
   std::vector<double> first_largest_;
+  double first_value_ = 0;
   int stage_ = 0;
   std::unique_ptr<StructureProblem> problem_;
   std::optional<Optimizer> plain_;                  // without hard goals

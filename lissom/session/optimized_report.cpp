@@ -65,7 +65,7 @@ void add_history(const DesignRun& run, DesignReport& report) {
     return run.stages() > 1 ? fmt::format("stage {}", stage + 1) : std::string();
   };
   DesignReport::Step start;
-  start.objective = kNone;
+  start.objective = run.first_value();
   start.gradient = run.steps().empty() ? kNone : run.steps().front().record.gradient;
   start.stage = stage_name(0);
   for (const GoalMeasure& m : run.first_measures()) start.rms.push_back(m.rms);

@@ -81,6 +81,7 @@ class Optimize(tool.ToolTest):
         self.run_tool("optimize", "beam.lissom", "-o", "whole", code=ENDS)
         iterations = self.result("whole/beam-design.json")["iterations"]
         self.assertGreater(iterations, 3)
+        self.assertNotRegex(self.result("whole/beam-design.json")["message"], r"parameter \d")
         self.run_tool("optimize", "beam.lissom", "-o", "parts", "--iterations", "2", code=12)
         self.run_tool("optimize", "beam.lissom", "-o", "parts", "--resume", "--threads", "1", code=ENDS)
         self.assertEqual(self.bytes_of("parts"), self.bytes_of("whole"))
