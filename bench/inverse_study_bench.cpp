@@ -24,8 +24,8 @@
 namespace lissom {
 namespace {
 
-constexpr int kMostIterations = 150;
-constexpr double kMostSeconds = 30;  // of one method on one problem
+constexpr int kMostIterations = 100;
+constexpr double kMostSeconds = 15;  // of one method on one problem
 constexpr double kGradient = 1e-7, kDecrease = 1e-9;
 
 struct Line {
