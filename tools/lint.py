@@ -4,8 +4,8 @@
     tools/lint.py [FILE...]     default: all .cpp of lissom, scenes and apps
 
 Nine tenths of what clang-tidy does for a source it does for Eigen's headers, so sources are looked at in batches, each
-one translation unit that includes them all. Sources whose file-local names meet do not share a batch; where the names
-still clash the batch does not compile, and its sources are looked at one by one.
+one translation unit that includes them all. Sources whose file-local names meet do not share a batch; a batch that does not
+compile all the same is halved until it does.
 Compiles without precompiled headers: a source that leans on them does not compile here.
 """
 
@@ -70,6 +70,25 @@ def batches(files, commands):
     return [batch[:3] for batch in done + open_ones]
 
 
+def write_unit(path, files):
+    path.write_text("".join(f'#include "{source}"  // NOLINT\n' for source in files))
+
+
+def compilable(batch, folder):
+    """The batch, or its halves and their halves, until all that have several sources compile."""
+    flags, directory, files = batch
+    if len(files) == 1:
+        return [batch]
+    folder.mkdir(parents=True, exist_ok=True)
+    unit = folder / "batch.cpp"
+    write_unit(unit, files)
+    quiet = [flag for flag in flags if not flag.startswith(("-W", "-O"))]
+    if subprocess.run(["c++", *quiet, "-w", "-fsyntax-only", str(unit)], cwd=directory, capture_output=True).returncode == 0:
+        return [batch]
+    middle = len(files) // 2
+    return [part for half in (files[:middle], files[middle:]) for part in compilable((flags, directory, half), folder)]
+
+
 def tidy(program, folder, source):
     # A batch has file-local names that a single source does not; g++ looks for shadows anyway.
     extra = ["--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wno-shadow"]
@@ -86,7 +105,7 @@ def lint(program, index, batch):
     folder = BUILD / f"batch{index}"
     folder.mkdir(parents=True, exist_ok=True)
     unit = folder / "batch.cpp"
-    unit.write_text("".join(f'#include "{path}"  // NOLINT\n' for path in files))
+    write_unit(unit, files)
     sources = [(unit, flags)] + [(path, flags) for path in files]
     entries = [{"directory": directory, "file": str(path), "arguments": ["c++", *flags, "-c", str(path)]} for path, flags in sources]
     (folder / "compile_commands.json").write_text(json.dumps(entries))
@@ -110,9 +129,10 @@ def main():
     unknown = [str(path) for path in files if str(path) not in commands]
     if unknown:
         sys.exit("tools/lint.py: not part of the build: " + " ".join(unknown))
-    parts = batches(files, commands)
     failed, singly = False, 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
+        tried = pool.map(lambda item: compilable(item[1], BUILD / f"try{item[0]}"), enumerate(batches(files, commands)))
+        parts = [part for batch in tried for part in batch]
         for status, text, alone in pool.map(lambda part: lint(program, *part), enumerate(parts)):
             failed, singly = failed or bool(status), singly + alone
             if text:
