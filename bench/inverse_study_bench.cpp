@@ -1,5 +1,5 @@
-/// Six inverse problems by every method: iterations, equilibria, time, where they end, what failed. docs/guide/inverse.md has the
-/// table and what follows from it.
+/// Six inverse problems by every method: iterations, equilibria, time, where they end, what failed. docs/guide/inverse.md has
+/// the tables and what follows from them.
 
 #include <atomic>
 #include <chrono>
@@ -31,9 +31,9 @@ constexpr double kGradient = 1e-7, kDecrease = 1e-9;
 struct Line {
   std::string method;
   int iterations = 0, failed = 0;
-  DesignEffort effort;
-  double seconds = 0, start = 0, value = 0, left = 0;  // left: of the first promise
-  std::string ending;
+  DesignEffort effort = {};
+  double seconds = 0, value = 0, left = 0;  // left: of the first promise
+  std::string ending = {};
 };
 
 void print(const char* problem, const Line& line) {
@@ -54,7 +54,7 @@ OptimizeOptions of_method(DesignMethod method) {
 }
 
 Line by(ReducedProblem& problem, const OptimizeOptions& options, std::string name, const Context& context) {
-  Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, 0, {}};
+  Line line{.method = std::move(name)};
   const double begin = now_ms();
   Optimizer optimizer(problem, options);
   while (optimizer.step(context)) {
@@ -75,7 +75,7 @@ Line by(ReducedProblem& problem, const OptimizeOptions& options, std::string nam
 
 template <class Run>
 Line by_library(StructureProblem& problem, const char* name, Run run) {
-  Line line{name, 0, 0, {}, 0, problem.value(), 0, 0, {}};
+  Line line{.method = name};
   const double begin = now_ms();
   const YardstickReport report =
       run(problem, YardstickOptions{.tolerance = 1e-6, .max_iterations = kMostIterations, .cancelled = [begin] {
@@ -91,7 +91,7 @@ Line by_library(StructureProblem& problem, const char* name, Run run) {
 }
 
 Line in_total_space(StructureProblem& problem, const TotalOptions& options, std::string name, const Context& context) {
-  Line line{std::move(name), 0, 0, {}, 0, problem.value(), 0, 0, {}};
+  Line line{.method = std::move(name)};
   const double begin = now_ms();
   std::atomic<bool> late = false;
   // It looks at the context only, so the limit of time is set from the side.
@@ -131,10 +131,8 @@ Line in_total_space(StructureProblem& problem, const TotalOptions& options, std:
 
 Line on_projection(StructureProblem& problem, ProjectionRule rule, std::string name, const Context& context) {
   Result<std::unique_ptr<ProjectedProblem>> projected = ProjectedProblem::make(problem, {.rule = rule}, context);
-  if (!projected) return {std::move(name), 0, 0, {}, 0, problem.value(), problem.value(), 0, projected.error().message};
-  Line line = by(*projected.value(), of_method(DesignMethod::kStructuredBfgs), std::move(name), context);
-  line.effort = problem.effort();
-  return line;
+  if (!projected) return {.method = std::move(name), .value = problem.value(), .ending = projected.error().message};
+  return by(*projected.value(), of_method(DesignMethod::kStructuredBfgs), std::move(name), context);
 }
 
 struct Method {

@@ -13,6 +13,19 @@ Result<Design> DesignSpace::applied(Design design, const VecX& p) const {
                "use them alone"};
 }
 
+DesignJacobian chained(DesignJacobian jacobian, const SparseMatrix& d_p) {
+  const auto chain = [&d_p](SparseMatrix& matrix) {
+    if (matrix.cols() > 0) matrix = SparseMatrix(matrix * d_p);
+  };
+  chain(jacobian.inputs);
+  chain(jacobian.numbers);
+  for (PoseJacobian& pose : jacobian.poses) {
+    chain(pose.loads);
+    chain(pose.held);
+  }
+  return jacobian;
+}
+
 Status check_bounds(std::span<const Parameter> parameters, const VecX& p) {
   LISSOM_ASSERT(p.size() == static_cast<Eigen::Index>(parameters.size()));
   for (int i = 0; i < p.size(); ++i) {

@@ -51,6 +51,9 @@ class DesignSpace {
   }
 };
 
+/// Derivatives by y where those by p are known and dp = d_p dy: every matrix that has columns times d_p.
+DesignJacobian chained(DesignJacobian jacobian, const SparseMatrix& d_p);
+
 /// kRange, with the name of the first parameter that is outside of its bounds or not finite.
 Status check_bounds(std::span<const Parameter> parameters, const VecX& p);
 

@@ -25,10 +25,6 @@ bool positive_by_nature(ParameterKind kind) {
   }
 }
 
-SparseMatrix times(const SparseMatrix& matrix, const VecX& slope) {
-  return matrix.cols() == 0 ? matrix : SparseMatrix(matrix * slope.asDiagonal());
-}
-
 }  // namespace
 
 Result<LogSpace> LogSpace::make(SpacePtr inner) {
@@ -89,15 +85,9 @@ Result<Design> LogSpace::applied(Design design, const VecX& u) const {
 }
 
 DesignJacobian LogSpace::jacobian(const Design& design, const VecX& u) const {
-  DesignJacobian own = inner_->jacobian(design, values(u));
-  const VecX slope = this->slope(u);
-  own.inputs = times(own.inputs, slope);
-  own.numbers = times(own.numbers, slope);
-  for (PoseJacobian& pose : own.poses) {
-    pose.loads = times(pose.loads, slope);
-    pose.held = times(pose.held, slope);
-  }
-  return own;
+  SparseMatrix slopes(size(), size());
+  slopes = slope(u).asDiagonal();
+  return chained(inner_->jacobian(design, values(u)), slopes);
 }
 
 VecX LogSpace::curvature(const Design& design, const VecX& u, const VecX& y, const VecX& v) const {

@@ -79,10 +79,6 @@ double scale_of(const DesignSpace& inner, const SparseMatrix& z, int column) {
   return scale;
 }
 
-SparseMatrix times(const SparseMatrix& matrix, const SparseMatrix& z) {
-  return matrix.cols() == 0 ? matrix : SparseMatrix(matrix * z);
-}
-
 }  // namespace
 
 Result<MappedSpace> MappedSpace::make(SpacePtr inner, VecX origin, SparseMatrix z, std::vector<Parameter> parameters) {
@@ -133,14 +129,7 @@ Result<Design> MappedSpace::applied(Design design, const VecX& a) const {
 }
 
 DesignJacobian MappedSpace::jacobian(const Design& design, const VecX& a) const {
-  DesignJacobian own = inner_->jacobian(design, inner_parameters(a));
-  own.inputs = times(own.inputs, z_);
-  own.numbers = times(own.numbers, z_);
-  for (PoseJacobian& pose : own.poses) {
-    pose.loads = times(pose.loads, z_);
-    pose.held = times(pose.held, z_);
-  }
-  return own;
+  return chained(inner_->jacobian(design, inner_parameters(a)), z_);
 }
 
 VecX MappedSpace::curvature(const Design& design, const VecX& a, const VecX& y, const VecX& v) const {

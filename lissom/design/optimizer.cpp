@@ -101,9 +101,10 @@ void Optimizer::end_without_step() {
   std::string left = "no gradient is left";
   if (const auto largest = largest_entries(state_.promise, 1); !largest.empty()) {
     left =
-        "a gradient of " + number(largest[0].value) + " is left in parameter " + std::to_string(largest[0].parameter);
+        "a gradient of " + number(largest[0].value) + " is left in " + problem_->parameter_name(largest[0].parameter);
   }
-  if (rejected[Outcome::kSettled] > 0) return end(DesignVerdict::kLimit, left);
+  // Without any attempt it is the model that has nothing to offer.
+  if (rejected[Outcome::kSettled] > 0 || rejected.total() == 0) return end(DesignVerdict::kLimit, left);
   const int jumped = rejected[Outcome::kJumped], failed = rejected.total();
   if (jumped == failed) return end(DesignVerdict::kJumped, left);
   end(DesignVerdict::kNoEquilibrium,

@@ -38,6 +38,7 @@ class ProjectedProblem final : public ReducedProblem {
   const VecX& attempted_x() const { return attempted_x_; }
 
   int size() const override { return problem_->size(); }
+  std::string parameter_name(int i) const override { return problem_->parameter_name(i); }
   const VecX& lower() const override { return problem_->lower(); }
   const VecX& upper() const override { return problem_->upper(); }
   const VecX& x() const override { return problem_->x(); }

@@ -38,6 +38,8 @@ class ReducedProblem {
   virtual ~ReducedProblem() = default;
 
   virtual int size() const = 0;
+  /// As verdicts call it: "parameter 3", or a name.
+  virtual std::string parameter_name(int i) const { return "parameter " + std::to_string(i); }
   virtual const VecX& lower() const = 0;
   virtual const VecX& upper() const = 0;
 

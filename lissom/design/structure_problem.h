@@ -62,6 +62,7 @@ class StructureProblem final : public ReducedProblem {
   Result<bool> stiffen_pins(const VecX& factors);
 
   int size() const override { return static_cast<int>(scale_.size()); }
+  std::string parameter_name(int i) const override { return space_->parameters()[static_cast<std::size_t>(i)].name; }
   const VecX& lower() const override { return lower_; }
   const VecX& upper() const override { return upper_; }
   const VecX& x() const override { return x_; }

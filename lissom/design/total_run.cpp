@@ -55,7 +55,8 @@ std::string TotalRun::worst() const {
   if (!in_equilibrium()) return space.worst_force();
   const auto largest = largest_entries(promise_, 1);
   if (largest.empty()) return "no gradient is left";
-  return fmt::format("a gradient of {:.3g} is left in parameter {}", largest[0].value, largest[0].parameter);
+  return fmt::format("a gradient of {:.3g} is left in {}", largest[0].value,
+                     space.parameter_name(largest[0].parameter));
 }
 
 void TotalRun::end(TotalVerdict verdict, const std::string& reason) {

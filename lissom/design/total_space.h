@@ -38,7 +38,8 @@ class TotalSpace {
   int states() const { return first_.back(); }                        ///< n
   int parameters() const { return static_cast<int>(scale_.size()); }  ///< m
   int size() const { return states() + parameters(); }                ///< n + m
-  const VecX& lower() const { return problem_->lower(); }             ///< of x
+  std::string parameter_name(int i) const { return problem_->parameter_name(i); }
+  const VecX& lower() const { return problem_->lower(); }  ///< of x
   const VecX& upper() const { return problem_->upper(); }
   /// Error, with the name of the goal, where exact second derivatives of h are not known.
   Status check_curvature() const;

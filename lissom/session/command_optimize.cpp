@@ -11,6 +11,7 @@
 #include "lissom/session/design_checkpoint.h"
 #include "lissom/session/layout_json.h"
 #include "lissom/session/optimized_report.h"
+#include "lissom/session/optimizer_json.h"
 #include "lissom/session/output.h"
 
 namespace lissom {
@@ -96,13 +97,6 @@ Json parameters_json(const DesignRun& run) {
   return list;
 }
 
-Json effort_json(const DesignEffort& e) {
-  return {{"attempts", e.attempts},
-          {"solves", e.solves},
-          {"factorizations", e.factorizations},
-          {"back_solves", e.back_solves}};
-}
-
 /// Goals in the order of the measures: pose by pose.
 std::vector<Goal> goals_by_pose(const DesignRun& run) {
   std::vector<Goal> sorted;
@@ -124,7 +118,7 @@ Json result_json(const DesignRun& run, const OptimizedDesign& design, const Docu
   json["objective"] = run.problem().value();
   json["method"] = design_method_name(run.options().method);
   json["goals"] = goals_json(design, goals_by_pose(run), model);
-  json["effort"] = effort_json(run.effort());
+  json["effort"] = effort_to_json(run.effort());
   json["notes"] = design.notes;
   return json;
 }

@@ -1,6 +1,5 @@
 #include "lissom/session/design_run.h"
 
-#include <charconv>
 #include <chrono>
 #include <fmt/format.h>
 #include <utility>
@@ -32,24 +31,6 @@ Status check_method(const OptimizeOptions& options, const std::vector<Goal>& goa
     if (Status s = check_curvature(goal); !s) return s;
   }
   return {};
-}
-
-/// Methods know parameters by their numbers: "parameter 3" becomes "parameter (rod 1: r_n)".
-std::string with_parameter_names(const std::string& text, std::span<const Parameter> parameters) {
-  constexpr std::string_view kWord = "parameter ";
-  std::string named;
-  std::size_t from = 0;
-  for (std::size_t at = text.find(kWord); at != std::string::npos; at = text.find(kWord, from)) {
-    const std::size_t digits = at + kWord.size();
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(text.data() + digits, text.data() + text.size(), number);
-    named += text.substr(from, digits - from);
-    from = digits;
-    if (error != std::errc() || number >= parameters.size()) continue;
-    named += "(" + parameters[number].name + ")";
-    from = static_cast<std::size_t>(end - text.data());
-  }
-  return named + text.substr(from);
 }
 
 }  // namespace
@@ -156,16 +137,15 @@ Status DesignRun::begin() {
 
 Status DesignRun::advance() {
   const DesignPoint point = problem_->point();
-  const Design design = problem_->design();
+  Design design = problem_->design();
   effort_before_ = effort();
   if (Status s = make_stage(stage_ + 1); !s) return s;
-  // Pins are no parameters: they go on as they are.
-  Design asked = design;
+  // How stiff pins have become is no parameter: it goes on beside them.
   for (std::size_t k = 0; k < problem_->poses().size(); ++k) {
-    const auto pose = static_cast<std::size_t>(problem_->poses()[k]->pose());
-    asked.model.poses[pose].soft_pins = problem_->design().model.poses[pose].soft_pins;
+    Pose& pose = design.model.poses[static_cast<std::size_t>(problem_->poses()[k]->pose())];
+    for (SoftPin& pin : pose.soft_pins) pin.stiffness /= point.pin_factors[static_cast<Eigen::Index>(k)];
   }
-  const Result<VecX> p = parameters_of(problem_->space(), asked);
+  const Result<VecX> p = parameters_of(problem_->space(), design);
   if (!p) return p.error();
   if (Status s = problem_->release(&p.value(), &point); !s) return s;
   return begin();
@@ -214,10 +194,12 @@ bool DesignRun::step() {
     if (done.record.accepted && !stage_verdict()) status_ = adapt_pins();
     const double past = steps_.empty() ? 0 : steps_.back().seconds;
     done.seconds = past + std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    for (const GoalMeasure& measure : problem_->measures()) done.rms.push_back(measure.rms);
+    const std::vector<GoalMeasure> measures = problem_->measures();
+    for (const GoalMeasure& measure : measures) done.rms.push_back(measure.rms);
     steps_.push_back(std::move(done));
-    context_.report({.task = "design", .iteration = static_cast<int>(steps_.size()), .detail = progress()});
-    if (context_.log) context_.log(progress());
+    const std::string detail = progress(measures);
+    context_.report({.task = "design", .iteration = static_cast<int>(steps_.size()), .detail = detail});
+    if (context_.log) context_.log(detail);
   }
   return status_.ok() && (goes_on || ended_to_go_on());
 }
@@ -262,23 +244,19 @@ std::optional<DesignVerdict> DesignRun::verdict() const {
   return ended_to_go_on() ? std::optional<DesignVerdict>() : stage_verdict();
 }
 
-std::string DesignRun::message() const {
-  const std::string& text = plain_ ? plain_->state().message : constrained_->state().message;
-  return with_parameter_names(text, problem_->space().parameters());
-}
+std::string DesignRun::message() const { return plain_ ? plain_->state().message : constrained_->state().message; }
 
 double DesignRun::seconds_left() const {
   return plain_ ? plain_->seconds_left() : constrained_->descent().seconds_left();
 }
 
-std::string DesignRun::progress() const {
+std::string DesignRun::progress(const std::vector<GoalMeasure>& measures) const {
   std::string text = stages() > 1 ? fmt::format("stage {} of {}: ", stage_ + 1, stages()) : std::string();
   const std::size_t head = text.size();
-  for (const GoalMeasure& measure : problem_->measures()) {
+  for (const GoalMeasure& measure : measures) {
     text += fmt::format("{}{} {}", text.size() == head ? "" : ", ", measure.name,
                         in_unit_of_goal(measure.rms, measure.unit));
   }
-  if (state().records.empty()) return text;
   const DesignRecord& record = state().records.back();
   text += fmt::format(", gradient {:.2e}", record.gradient);
   if (record.active_bounds > 0) text += fmt::format(", {} at bounds", record.active_bounds);

@@ -47,8 +47,6 @@ class DesignRun {
   const Status& status() const { return status_; }
   DesignCheckpoint checkpoint() const;
 
-  /// Of the last iteration, for people: root mean squares per goal, gradient, bounds, time left.
-  std::string progress() const;
   /// Of the present stage.
   const OptimizerState& state() const;
   int stage() const { return stage_; }
@@ -80,6 +78,8 @@ class DesignRun {
   /// The next stage begins at the point of this one.
   Status advance();
   Status adapt_pins();
+  /// Of the last iteration, for people: root mean squares per goal, gradient, bounds, time left.
+  std::string progress(const std::vector<GoalMeasure>& measures) const;
   bool ended_to_go_on() const;
   std::optional<DesignVerdict> stage_verdict() const;
 

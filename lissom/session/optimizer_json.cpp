@@ -194,6 +194,8 @@ class StateReader {
 
 }  // namespace
 
+Json effort_to_json(const DesignEffort& effort) { return json_of(effort); }
+
 Json record_to_json(const DesignRecord& record) { return json_of(record); }
 
 Result<DesignRecord> record_from_json(const Json& json, const std::string& where) {

@@ -10,6 +10,8 @@
 
 namespace lissom {
 
+nlohmann::ordered_json effort_to_json(const DesignEffort& effort);
+
 nlohmann::ordered_json record_to_json(const DesignRecord& record);
 Result<DesignRecord> record_from_json(const nlohmann::ordered_json& json, const std::string& where);
 

@@ -127,6 +127,21 @@ class Optimize(tool.ToolTest):
         report = (self.folder / "all/beam-design.html").read_text(encoding="utf-8")
         self.assertIn("stage 3", report)
 
+    def test_what_a_stage_did_to_pins_is_kept(self):
+        document = staged()
+        target = {"pin_target": {"z": ["-80 mm", "-20 mm"]}}
+        document["design"].update({"stages": [{"parameters": [target]}], "parameters": [target]})
+        document["design"]["settings"]["pins"] = "fixed"
+        self.write("beam.lissom", document)
+        self.run_tool("optimize", "beam.lissom", code=ENDS)
+        records = [step["record"] for step in self.result("out/beam-design.checkpoint.json")["steps"]]
+        stages = [step["stage"] for step in self.result("out/beam-design.checkpoint.json")["steps"]]
+        again = stages.index(1)
+        self.assertGreater(again, 1)
+        # The second stage has the same parameter and finds nothing left to do.
+        self.assertLess(records[again]["gradient"], 1e-3 * records[0]["gradient"])
+        self.assertLessEqual(records[again]["value"], records[again - 1]["value"] * (1 + 1e-9))
+
     def test_a_staged_run_killed_at_any_time_goes_on_to_the_same_bytes(self):
         self.write("beam.lissom", staged())
         begin = time.monotonic()

@@ -52,6 +52,19 @@ TEST(OptimizerEndings, SaysWhyNothingIsLeftToTry) {
   }
 }
 
+/// Second derivatives that are no numbers leave exact Newton without a step: that is a limit, and neither convergence nor a jump.
+TEST(OptimizerEndings, AModelThatPromisesNothingIsNoConvergence) {
+  for (const NewtonPreconditioner like_h : {NewtonPreconditioner::kNone, NewtonPreconditioner::kGram}) {
+    SmoothFunctions r = rosenbrock();
+    r.curvature = [](const VecX& x, const VecX&) -> MatX { return MatX::Constant(x.size(), x.size(), std::nan("")); };
+    AnalyticProblem problem(r, Vec2(-1.2, 1), Vec2(-3, -3), Vec2(3, 3));
+    Optimizer optimizer(problem, {.method = DesignMethod::kNewton, .preconditioner = like_h});
+    EXPECT_EQ(optimizer.run({}), DesignVerdict::kLimit) << optimizer.state().message;
+    EXPECT_EQ(problem.x(), VecX(Vec2(-1.2, 1)));
+    EXPECT_NE(optimizer.state().message.find("a gradient of"), std::string::npos) << optimizer.state().message;
+  }
+}
+
 /// Values that rise whatever one does, against what the gradient says.
 TEST(OptimizerEndings, ReachesALimitWhereNoStepLowersTheValue) {
   for (OptimizeOptions options : all_methods()) {
