@@ -21,6 +21,6 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/lissomConfigVersion.cmak
 install(FILES
   "${PROJECT_BINARY_DIR}/lissomConfig.cmake"
   "${PROJECT_BINARY_DIR}/lissomConfigVersion.cmake"
-  cmake/FindCHOLMOD.cmake cmake/FindMETIS.cmake cmake/FindCairo.cmake
+  cmake/FindCHOLMOD.cmake cmake/FindMETIS.cmake cmake/FindCairo.cmake cmake/FindLibzip.cmake
   DESTINATION ${lissom_package_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

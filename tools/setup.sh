@@ -8,10 +8,10 @@ set -euo pipefail
 build_packages=(
   build-essential g++ cmake ninja-build pkg-config git python3
   libeigen3-dev nlohmann-json3-dev libfmt-dev libcli11-dev libcairo2-dev
-  libsuitesparse-dev libmetis-dev libcgal-dev libboost-dev libpugixml-dev
+  libsuitesparse-dev libmetis-dev libcgal-dev libboost-dev libpugixml-dev libzip-dev
   libgtest-dev libbenchmark-dev
 )
-test_packages=(python3-numpy python3-jsonschema python3-meshio)
+test_packages=(python3-numpy python3-jsonschema python3-meshio admesh)
 ci_packages=(clang-format-14 clang-tidy-14)
 bench_packages=(coinor-libipopt-dev libalglib-dev)
 
