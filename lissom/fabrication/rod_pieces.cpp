@@ -170,6 +170,7 @@ RodPiece make_piece(const Chain& chain, int rod, double tolerance) {
     spacing = std::min(spacing, surface_spacing(s.least_radius(piece.shape), std::min(s.r_b, s.r_n), tolerance) / 2);
   }
   double along = 0;
+  piece.nodes.push_back({chain.nodes.front(), 0});
   for (int e = 0; e < chain.count(); ++e) {
     const double wanted = std::max({spine.length(e) / spacing, spine.turn(e) / 0.05, 2.0});
     const int cuts = static_cast<int>(std::ceil(std::min(wanted, double{kMostStations})));
@@ -179,6 +180,7 @@ RodPiece make_piece(const Chain& chain, int rod, double tolerance) {
       s.along = along;
       piece.stations.push_back(s);
     }
+    piece.nodes.push_back({chain.nodes[e + 1], static_cast<int>(piece.stations.size()) - 1});
   }
   return piece;
 }

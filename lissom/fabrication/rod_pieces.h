@@ -30,7 +30,8 @@ struct RodPiece {
   SectionShape shape = SectionShape::kEllipse;
   bool closed = false;  ///< then the last station is the first again, up to half a turn of b and n
   std::array<PieceEnd, 2> end{PieceEnd::kFlat, PieceEnd::kFlat};
-  std::vector<RodStation> stations;  ///< at least two, `along` ascending
+  std::vector<RodStation> stations;       ///< at least two, `along` ascending
+  std::vector<std::array<int, 2>> nodes;  ///< node of the structure, station; in the order of stations
 
   double length() const { return stations.back().along; }  ///< m
 };

@@ -120,6 +120,23 @@ class Maker {
   std::vector<std::array<VertexRing, 2>> lips_;  // per span: where its tube is joined to clusters
 };
 
+void drop_unused_vertices(Surface& surface) {
+  std::vector<int> number(surface.vertices.size(), -1);
+  for (const std::array<int, 3>& t : surface.triangles) {
+    for (const int v : t) number[v] = 0;
+  }
+  int count = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    surface.vertices[count] = surface.vertices[v];
+    number[v] = count++;
+  }
+  surface.vertices.resize(count);
+  for (std::array<int, 3>& t : surface.triangles) {
+    for (int& v : t) v = number[v];
+  }
+}
+
 /// The rod whose centreline is nearest to a place.
 int nearest_rod(const std::vector<RodPiece>& pieces, const Vec3& place) {
   int rod = -1;
@@ -150,6 +167,7 @@ Result<RodSolid> solid_of(const Structure& structure, const std::vector<RodPiece
     RodSolid solid;
     solid.surface = std::move(made).value();
     solid.cavities = fill_cavities(solid.surface);
+    drop_unused_vertices(solid.surface);
     check = check_solid(solid.surface, context);
     if (!check.ok()) continue;
     solid.volume = check.volume;
@@ -157,6 +175,7 @@ Result<RodSolid> solid_of(const Structure& structure, const std::vector<RodPiece
     solid.tubes = static_cast<int>(plan.spans.size());
     solid.joints = static_cast<int>(plan.clusters.size());
     solid.attempts = attempt;
+    solid.tolerance = options.tolerance * plan.coarser * plan.coarser;  // heights of chords grow with their square
     return solid;
   }
   const int rod = nearest_rod(all, check.place);

@@ -20,13 +20,14 @@ struct SolidOptions {
 /// Of the rods of one material.
 struct RodSolid {
   std::string material;
-  Surface surface;    ///< m, closed, outwards, without self-intersections; parts that do not touch are allowed
-  double volume = 0;  ///< m^3
-  int parts = 0;      ///< connected ones
-  int tubes = 0;      ///< stretches where rods run alone and are rings of sections
-  int joints = 0;     ///< places where rods are near each other, whose surface was looked for on a lattice
-  int cavities = 0;   ///< closed ones that were filled
-  int attempts = 1;   ///< above 1: the first surface had a fault, and was made another way
+  Surface surface;       ///< m, closed, outwards, without self-intersections; parts that do not touch are allowed
+  double volume = 0;     ///< m^3
+  double tolerance = 0;  ///< m, reached: above the one asked for where triangles would have been too many
+  int parts = 0;         ///< connected ones
+  int tubes = 0;         ///< stretches where rods run alone and are rings of sections
+  int joints = 0;        ///< places where rods are near each other, whose surface was looked for on a lattice
+  int cavities = 0;      ///< closed ones that were filled
+  int attempts = 1;      ///< above 1: the first surface had a fault, and was made another way
 };
 
 /// Drawn shapes of the rods of every material, in the order of their first rods. Tubes are taken as full: a printer prints

@@ -1,0 +1,197 @@
+#include "lissom/fabrication/near_rods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace lissom {
+
+namespace {
+
+constexpr double kDetour = 1.8;  // along the rods, against straight across between their axes
+constexpr double kStep = 0.5;    // between places looked at, of the thinner half-extent
+
+struct Place {
+  int piece = 0, order = 0;  // order: among the places of its piece
+  const RodStation* station = nullptr;
+};
+
+/// Half of the width of a section in a direction, m.
+double width(const RodStation& s, SectionShape shape, const Vec3& direction) {
+  const double b = s.r_b * s.b.dot(direction), n = s.r_n * s.n.dot(direction);
+  return shape == SectionShape::kRectangle ? std::abs(b) + std::abs(n) : std::hypot(b, n);
+}
+
+/// What is near of another piece, at a place of a piece.
+struct Near {
+  bool joined = false;    // some of it belongs to a joint
+  double gap = INFINITY;  // of the rest
+  Vec3 place = Vec3::Zero();
+};
+
+class Search {
+ public:
+  Search(const std::vector<RodPiece>& pieces, double gap) : pieces_(pieces), gap_(gap) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) add_places(static_cast<int>(p));
+    for (const RodPiece& piece : pieces) {
+      for (std::size_t i = 0; i + 1 < piece.nodes.size(); ++i) {
+        for (std::size_t j = i + 1; j < piece.nodes.size(); ++j) connect(piece, piece.nodes[i], piece.nodes[j]);
+      }
+    }
+  }
+
+  std::vector<NearRods> pairs() {
+    look();
+    std::map<std::array<int, 2>, NearRods> found;
+    for (const auto& [pair, places] : near_) {
+      const Near worst = worst_of(pair, places);
+      if (!(worst.gap < gap_)) continue;
+      const int a = pieces_[pair[0]].rod, b = pieces_[pair[1]].rod;
+      const std::array<int, 2> rods{std::min(a, b), std::max(a, b)};
+      const auto [entry, is_new] = found.emplace(rods, NearRods{rods[0], rods[1], worst.gap, worst.place});
+      if (!is_new && worst.gap < entry->second.gap) entry->second = {rods[0], rods[1], worst.gap, worst.place};
+    }
+    std::vector<NearRods> pairs;
+    for (const auto& [rods, near] : found) pairs.push_back(near);
+    return pairs;
+  }
+
+ private:
+  void add_places(int number) {
+    const RodPiece& piece = pieces_[number];
+    double next = 0;
+    int order = 0;
+    std::size_t node = 0;
+    for (std::size_t i = 0; i < piece.stations.size(); ++i) {
+      const RodStation& s = piece.stations[i];
+      reach_ = std::max(reach_, s.reach(piece.shape));
+      const bool at_node = node < piece.nodes.size() && piece.nodes[node][1] == static_cast<int>(i);
+      if (at_node) order_of_node_[{number, piece.nodes[node++][0]}] = order;
+      if (!at_node && s.along < next) continue;
+      next = s.along + kStep * std::min(s.r_b, s.r_n);
+      places_.push_back({number, order++, &s});
+    }
+  }
+
+  /// Ends of pieces are joined by the way along them.
+  void connect(const RodPiece& piece, const std::array<int, 2>& from, const std::array<int, 2>& to) {
+    const double way = piece.stations[to[1]].along - piece.stations[from[1]].along;
+    if (way > 8 * reach_ || from[0] == to[0]) return;
+    for (const auto& key : {std::pair(from[0], to[0]), std::pair(to[0], from[0])}) {
+      const auto [entry, is_new] = way_.emplace(key, way);
+      if (!is_new) entry->second = std::min(entry->second, way);
+    }
+  }
+
+  void look() {
+    const double side = 2 * reach_ + gap_;
+    std::vector<std::pair<std::array<int, 3>, int>> entries;
+    Vec3 low = Vec3::Constant(INFINITY);
+    for (const Place& p : places_) low = low.cwiseMin(p.station->centre);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Vec3 at = (places_[i].station->centre - low) / side;
+      entries.push_back({{int(at.x()), int(at.y()), int(at.z())}, static_cast<int>(i)});
+    }
+    std::sort(entries.begin(), entries.end());
+    const auto start = [&](int x, int y, int z) {
+      return std::lower_bound(entries.begin(), entries.end(), std::pair(std::array{x, y, z}, -1));
+    };
+    for (const auto& [cell, i] : entries) {
+      for (int x = cell[0] - 1; x <= cell[0] + 1; ++x) {
+        for (int y = cell[1] - 1; y <= cell[1] + 1; ++y) {
+          const auto end = start(x, y, cell[2] + 2);
+          for (auto it = start(x, y, cell[2] - 1); it != end; ++it) {
+            if (it->second > i) compare(places_[i], places_[it->second]);
+          }
+        }
+      }
+    }
+  }
+
+  void compare(const Place& a, const Place& b) {
+    const Vec3 between = b.station->centre - a.station->centre;
+    const double distance = between.norm();
+    const RodPiece &first = pieces_[a.piece], &second = pieces_[b.piece];
+    const Vec3 direction = distance > 0 ? Vec3(between / distance) : Vec3::UnitX();
+    const double across = width(*a.station, first.shape, direction) + width(*b.station, second.shape, direction);
+    const double gap = distance - across;
+    if (gap >= gap_) return;
+    const bool joined =
+        way_between(a, b) <= kDetour * (a.station->reach(first.shape) + b.station->reach(second.shape) + gap_);
+    if (joined && a.piece == b.piece) return;
+    Near& near = near_[{a.piece, b.piece}][a.order];
+    near.joined = near.joined || joined;
+    if (joined || gap >= near.gap) return;
+    near.gap = gap;
+    near.place = (a.station->centre + b.station->centre) / 2;
+  }
+
+  /// m, along the rods, over at most one piece between; infinite when there is no such way.
+  double way_between(const Place& a, const Place& b) const {
+    const RodPiece &first = pieces_[a.piece], &second = pieces_[b.piece];
+    if (a.piece == b.piece) {
+      const double way = std::abs(a.station->along - b.station->along);
+      return first.closed ? std::min(way, first.length() - way) : way;
+    }
+    double least = INFINITY;
+    const double limit = 4 * kDetour * (reach_ + gap_);
+    for (const std::array<int, 2>& i : first.nodes) {
+      const double to = std::abs(first.stations[i[1]].along - a.station->along);
+      if (to > limit) continue;
+      for (const std::array<int, 2>& j : second.nodes) {
+        const double from = std::abs(second.stations[j[1]].along - b.station->along);
+        if (to + from >= least) continue;
+        if (i[0] == j[0]) {
+          least = to + from;
+        } else if (const auto way = way_.find({i[0], j[0]}); way != way_.end()) {
+          least = std::min(least, to + from + way->second);
+        }
+      }
+    }
+    return least;
+  }
+
+  /// The smallest gap among places that are not joined to a node of both pieces by places that are near too.
+  Near worst_of(const std::array<int, 2>& pair, const std::map<int, Near>& places) const {
+    std::set<int> shared;
+    if (pair[0] != pair[1]) {
+      for (const std::array<int, 2>& node : pieces_[pair[0]].nodes) {
+        const auto own = order_of_node_.find({pair[0], node[0]});
+        if (order_of_node_.count({pair[1], node[0]}) > 0) shared.insert(own->second);
+      }
+    }
+    Near worst;
+    for (auto begin = places.begin(); begin != places.end();) {
+      auto end = begin;
+      int last = begin->first;
+      bool joined = false;
+      for (; end != places.end() && end->first <= last + 1; ++end) {
+        last = end->first;
+        joined = joined || shared.count(end->first) > 0;
+      }
+      for (auto it = begin; it != end && !joined; ++it) {
+        if (it->second.gap < worst.gap) worst = it->second;
+      }
+      begin = end;
+    }
+    return worst;
+  }
+
+  const std::vector<RodPiece>& pieces_;
+  double gap_, reach_ = 0;  // m
+  std::vector<Place> places_;
+  std::map<std::pair<int, int>, int> order_of_node_;        // of (piece, node)
+  std::map<std::pair<int, int>, double> way_;               // m, between nodes of one piece
+  std::map<std::array<int, 2>, std::map<int, Near>> near_;  // by pieces, then places of the first
+};
+
+}  // namespace
+
+std::vector<NearRods> near_rods(const std::vector<RodPiece>& pieces, double gap) {
+  if (pieces.empty()) return {};
+  return Search(pieces, gap).pairs();
+}
+
+}  // namespace lissom
