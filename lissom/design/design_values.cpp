@@ -246,6 +246,10 @@ Result<Design> with_values(Design design, const DesignValues& values) {
     set_pose(design.model.poses[k], design.system.structure, values.poses[k]);
   }
   if (values.inputs == present) return design;
+  if (!design.system.structure.solids.empty()) {
+    return Error{ErrorCode::kUnsupported, "/solids", "only the loads of a structure with solids can be designed",
+                 "let a solid pose the surface, and design the rods on it in a document of their own"};
+  }
   if (Status s = Change(design, present, values.inputs).make(); !s) return s.error();
   Result<System> system = make_system(design.model, std::move(design.system.structure));
   if (!system) return system.error();

@@ -65,9 +65,17 @@ class MaterialAmount final : public Objective {
       for (const int t : triangles_of(structure, part_.membranes)) {
         const StructureMembrane& membrane = structure.membranes[structure.triangles[t].membrane];
         const MembraneMaterial& fabric = *model.membrane_material(membrane.material);
-        shares.push_back({numbers.triangle(t, kTriangleArea), rest.triangles[t].area,
-                          amount_ == Amount::kMass ? fabric.area_density : fabric.thickness});
+        shares.push_back(
+            {numbers.triangle(t, kTriangleArea), rest.triangles[t].area,
+             amount_ == Amount::kMass ? structure.triangles[t].density * fabric.area_density : fabric.thickness});
       }
+    }
+    if (!part_.all()) return shares;
+    for (int t = 0; t < static_cast<int>(structure.tetrahedra.size()); ++t) {
+      const StructureTetrahedron& own = structure.tetrahedra[t];
+      const double density = own.density * model.material(structure.solids[own.solid].material)->density;
+      shares.push_back({numbers.tetrahedron(t, kTetrahedronVolume), rest.tetrahedra[t].volume,
+                        amount_ == Amount::kMass ? density : 1});
     }
     return shares;
   }

@@ -228,7 +228,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
       trial_energy_ = workspace_.energy(trial_);
       taken_ = reach;
     }
-    const double turn = largest_turn(workspace_.system(), *state_, step_);
+    const double turn = step_turn(workspace_.system(), *state_, step_);
     if (moved && first_trial_ && shift() > 0 && options_.expansion == Expansion::kOn) {
       expand(slope, turn, largest_roll(workspace_.system(), step_));
     }

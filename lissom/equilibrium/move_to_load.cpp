@@ -12,8 +12,9 @@ namespace lissom {
 
 namespace {
 
-constexpr double kMostStrain = 5e-3;  // change of axial strain in one step
-constexpr double kStrained = 0.1;     // axial strain of a start that is relaxed before it is moved
+constexpr double kMostStrain = 5e-3;     // change of axial strain in one step
+constexpr double kMostSideChange = 0.3;  // rad and strain, of shells and solids in one step
+constexpr double kStrained = 0.1;        // axial strain of a start that is relaxed before it is moved
 constexpr int kRoughIterations = 15;
 constexpr double kRoughTolerance = 1e4;  // times the final one
 
@@ -77,6 +78,9 @@ Descent move_to_load(NewtonWorkspace& workspace, State& state, double load_facto
     double a = step_reach(system, state, d, options);
     const double strain = largest_strain(system, state, d);
     if (a * strain > kMostStrain) a = kMostStrain / strain;
+    const SideChange side = largest_side_change(system, state, d);
+    if (a * side.turn > kMostSideChange) a = kMostSideChange / side.turn;
+    if (a * side.strain > kMostSideChange) a = kMostSideChange / side.strain;
     path->begin(state, d, a);
     bool done = false;
     for (int halving = 0; halving < 30; ++halving) {

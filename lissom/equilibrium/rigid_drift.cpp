@@ -8,12 +8,13 @@ namespace lissom {
 
 namespace {
 
-/// What a node counts in means over a part: all alike where rods and triangles are alike.
+/// What a node counts in means over a part: all alike where rods, triangles and tetrahedra are alike.
 std::vector<double> node_weights(const System& system) {
   std::vector<double> weight(system.structure.nodes.size());
   const double length = system.rest.mean_edge_length;
   for (size_t i = 0; i < weight.size(); ++i) {
-    weight[i] = system.rest.node_length[i] / length + system.rest.node_area[i] / (length * length) + 1e-9;
+    weight[i] = system.rest.node_length[i] / length + system.rest.node_area[i] / (length * length) +
+                system.rest.node_volume[i] / (length * length * length) + 1e-9;
   }
   return weight;
 }

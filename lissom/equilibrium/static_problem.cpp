@@ -36,11 +36,30 @@ double largest_load(const System& system, const Potential& potential) {
   return largest;
 }
 
+/// Of the solids together: E A (N) and E I / L^3 (N/m) of a square bar as long as the structure with their volume and, on
+/// average, their modulus.
+struct BarOfSolids {
+  double stretch = 0, bending = 0;
+
+  explicit BarOfSolids(const System& system) {
+    const double length = system.structure.size;
+    double volume = 0, stiffness = 0;  // m^3, Pa m^3
+    for (const TetrahedronRest& tetrahedron : system.rest.tetrahedra) {
+      const double share = tetrahedron.lambda / (tetrahedron.lambda + tetrahedron.mu);  // 2 nu
+      volume += tetrahedron.volume;
+      stiffness += tetrahedron.mu * (2 + share) * tetrahedron.volume;
+    }
+    stretch = stiffness / length;
+    bending = stretch * volume / (12 * std::pow(length, 4));
+  }
+};
+
 Scales make_scales(const System& system, const Potential& potential) {
   Scales scales;
   scales.length = system.structure.size;
+  const BarOfSolids solids(system);
   scales.force = std::max({largest_load(system, potential), 1e-6 * system.rest.max_stretch,
-                           system.rest.max_tension * system.rest.mean_edge_length});
+                           system.rest.max_tension * system.rest.mean_edge_length, 1e-6 * solids.stretch});
   scales.moment = scales.force * system.rest.mean_edge_length;
   // An edge length is known to machine precision of the coordinates; the axial force amplifies it by E A / l.
   double reach = 0, stiffest = 0, bend = 0;
@@ -51,21 +70,29 @@ Scales make_scales(const System& system, const Potential& potential) {
   for (const TriangleRest& triangle : system.rest.triangles) {
     stiffest = std::max({stiffest, triangle.stiffness_1, triangle.stiffness_2});
   }
+  for (const TetrahedronRest& tetrahedron : system.rest.tetrahedra) {
+    stiffest = std::max(stiffest, (tetrahedron.lambda + 2 * tetrahedron.mu) * std::cbrt(tetrahedron.volume));
+  }
   scales.rounding = 4 * std::numeric_limits<double>::epsilon() * stiffest * (reach + scales.length);
-  scales.stiffness = bend > 0 ? bend / std::pow(scales.length, 3) : system.rest.max_stretch / scales.length;
+  scales.stiffness =
+      bend > 0 ? bend / std::pow(scales.length, 3) : std::max(system.rest.max_stretch / scales.length, solids.bending);
   return scales;
 }
 
 VecX make_mode_metric(const System& system, const Supports& supports) {
   VecX metric = VecX::Zero(system.layout.size());
-  double length = 0, area = 0;
+  double length = 0, area = 0, volume = 0;
   for (const EdgeRest& edge : system.rest.edges) length += edge.length;
   for (const TriangleRest& triangle : system.rest.triangles) area += triangle.area;
-  // Rods and membranes count alike where there are both.
-  const double per_length = length > 0 ? (area > 0 ? 0.5 : 1.0) / length : 0;
-  const double per_area = area > 0 ? (length > 0 ? 0.5 : 1.0) / area : 0;
+  for (const TetrahedronRest& tetrahedron : system.rest.tetrahedra) volume += tetrahedron.volume;
+  // Rods, membranes and solids count alike where there are several of them.
+  const double share_of_each = 1.0 / std::max(1, (length > 0) + (area > 0) + (volume > 0));
+  const double per_length = length > 0 ? share_of_each / length : 0;
+  const double per_area = area > 0 ? share_of_each / area : 0;
+  const double per_volume = volume > 0 ? share_of_each / volume : 0;
   for (int i = 0; i < system.layout.nodes(); ++i) {
-    const double share = per_length * system.rest.node_length[i] + per_area * system.rest.node_area[i];
+    const double share = per_length * system.rest.node_length[i] + per_area * system.rest.node_area[i] +
+                         per_volume * system.rest.node_volume[i];
     metric.segment<3>(3 * i).setConstant(share);
   }
   for (int e = 0; e < system.edge_count(); ++e) {
@@ -96,7 +123,9 @@ bool same_topology(const Structure& a, const Structure& b) {
                }) &&
          equal(a.triangles, b.triangles,
                [](const StructureTriangle& x, const StructureTriangle& y) { return x.node == y.node; }) &&
-         equal(a.hinges, b.hinges, [](const StructureHinge& x, const StructureHinge& y) { return x.node == y.node; });
+         equal(a.hinges, b.hinges, [](const StructureHinge& x, const StructureHinge& y) { return x.node == y.node; }) &&
+         equal(a.tetrahedra, b.tetrahedra,
+               [](const StructureTetrahedron& x, const StructureTetrahedron& y) { return x.node == y.node; });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lissom/equilibrium/step_limits.h"
 #include "lissom/geometry/frame.h"
 
 namespace lissom {
@@ -53,7 +54,7 @@ void StepPathPolicy::second_order(double reach) {
   drift_.remove(*state_, p_);
   if (!p_.allFinite()) return;
   // A correction, never more than the step itself.
-  const double turn_d = largest_turn(system, *state_, d_), turn_p = reach * largest_turn(system, *state_, p_);
+  const double turn_d = step_turn(system, *state_, d_), turn_p = reach * step_turn(system, *state_, p_);
   if (turn_p > 0.75 * turn_d) p_ *= 0.75 * turn_d / turn_p;
   has_p_ = true;
 }

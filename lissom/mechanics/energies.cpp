@@ -9,8 +9,8 @@ namespace {
 using Builder = Status (*)(const EnergySource&, EnergyTerms&);
 
 /// One line per energy.
-constexpr Builder kElastic[] = {add_rod_stretch,         add_rod_bend_twist,   add_explicit_joints,
-                                add_corotational_joints, add_membrane_stretch, add_membrane_bend};
+constexpr Builder kElastic[] = {add_rod_stretch,      add_rod_bend_twist, add_explicit_joints, add_corotational_joints,
+                                add_membrane_stretch, add_membrane_bend,  add_solid_stretch};
 constexpr Builder kOfPose[] = {add_gravity, add_line_loads, add_edge_loads, add_forces, add_moments, add_soft_pins};
 
 }  // namespace

@@ -11,12 +11,14 @@
 #include "lissom/mechanics/membrane_stretch.h"
 #include "lissom/mechanics/rod_bend_twist.h"
 #include "lissom/mechanics/rod_stretch.h"
+#include "lissom/mechanics/solid_stretch.h"
 
 namespace lissom {
 
 bool is_elastic(std::string_view name) {
   constexpr std::string_view kElastic[] = {RodStretch::kName,           RodBendTwist::kName,    JointExplicit::kName,
-                                           JointCorotational<2>::kName, MembraneStretch::kName, MembraneBend::kName};
+                                           JointCorotational<2>::kName, MembraneStretch::kName, MembraneBend::kName,
+                                           SolidStretch::kName};
   return std::find(std::begin(kElastic), std::end(kElastic), name) != std::end(kElastic);
 }
 
@@ -134,6 +136,27 @@ Status add_membrane_bend(const EnergySource& source, EnergyTerms& terms) {
     const int first = MembraneBend::kRest * static_cast<int>(energy.stencils.size());
     links.push_back({first, source.numbers.hinge(static_cast<int>(h), kHingeStiffness)});
     links.push_back({first + 1, source.numbers.hinge(static_cast<int>(h), kHingeAngle)});
+    energy.stencils.push_back(stencil);
+  }
+  add_term(terms, std::move(energy), std::move(links));
+  return {};
+}
+
+Status add_solid_stretch(const EnergySource& source, EnergyTerms& terms) {
+  const Structure& structure = source.system.structure;
+  SolidStretch energy;
+  RestLinks links;
+  for (int t = 0; t < static_cast<int>(structure.tetrahedra.size()); ++t) {
+    SolidStretch::Stencil stencil;
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < 3; ++k) stencil.dofs[3 * i + k] = 3 * structure.tetrahedra[t].node[i] + k;
+    }
+    std::array<double, kTetrahedronNumbers> rest;
+    write_tetrahedron(source.system.rest.tetrahedra[t], rest.data());
+    for (int i = 0; i < SolidStretch::kRest; ++i) {
+      stencil.rest[i] = rest[i];
+      links.push_back({SolidStretch::kRest * t + i, source.numbers.tetrahedron(t, i)});
+    }
     energy.stencils.push_back(stencil);
   }
   add_term(terms, std::move(energy), std::move(links));

@@ -81,9 +81,17 @@ Status add_gravity(const EnergySource& source, EnergyTerms& terms) {
   }
   for (int t = 0; t < static_cast<int>(structure.triangles.size()); ++t) {
     const StructureMembrane& membrane = structure.membranes[structure.triangles[t].membrane];
-    const double density = source.model.membrane_material(membrane.material)->area_density;
+    const double density =
+        structure.triangles[t].density * source.model.membrane_material(membrane.material)->area_density;
     for (const int node : structure.triangles[t].node) {
       links.push_back({kRest * node, source.numbers.triangle(t, kTriangleArea), density / 3});
+    }
+  }
+  for (int t = 0; t < static_cast<int>(structure.tetrahedra.size()); ++t) {
+    const StructureTetrahedron& own = structure.tetrahedra[t];
+    const double density = own.density * source.model.material(structure.solids[own.solid].material)->density;
+    for (const int node : own.node) {
+      links.push_back({kRest * node, source.numbers.tetrahedron(t, kTetrahedronVolume), density / 4});
     }
   }
   for (int i = 0; i < source.system.layout.nodes(); ++i) {

@@ -47,6 +47,7 @@ Status add_explicit_joints(const EnergySource& source, EnergyTerms& terms);
 Status add_corotational_joints(const EnergySource& source, EnergyTerms& terms);
 Status add_membrane_stretch(const EnergySource& source, EnergyTerms& terms);
 Status add_membrane_bend(const EnergySource& source, EnergyTerms& terms);
+Status add_solid_stretch(const EnergySource& source, EnergyTerms& terms);
 
 /// energies_loads.cpp
 Status add_gravity(const EnergySource& source, EnergyTerms& terms);

@@ -45,12 +45,29 @@ TriangleRestT<T> triangle_rest(const std::array<Eigen::Matrix<T, 2, 1>, 3>& draw
   return rest;
 }
 
-/// At the edge of `left` that starts at its corner `from`; `bend`: modulus, N m; `angle`: rad, at rest.
+/// At the edge of `left` that starts at its corner `from`; `bend`: modulus, N m; `multiplier`: of it, left and right;
+/// `angle`: rad, at rest. The same moment passes through both triangles, one after the other, so their compliances add:
+/// the modulus is the harmonic mean by heights above the edge, which are to each other as the areas.
 template <class T>
 HingeRestT<T> hinge_rest(const TriangleRestT<T>& left, int from, const TriangleRestT<T>& right, const T& bend,
-                         const T& angle) {
+                         const std::array<double, 2>& multiplier, const T& angle) {
   const Eigen::Matrix<T, 2, 1> edge = left.corner[(from + 1) % 3] - left.corner[from];
-  return {bend * edge.squaredNorm() / (left.area + right.area), angle};
+  return {bend * edge.squaredNorm() / (left.area / T(multiplier[0]) + right.area / T(multiplier[1])), angle};
+}
+
+/// Multipliers of the bending modulus on both sides of a hinge.
+inline std::array<double, 2> multipliers(const Structure& structure, const StructureHinge& hinge) {
+  return {structure.triangles[hinge.triangle[0]].stiffness, structure.triangles[hinge.triangle[1]].stiffness};
+}
+
+/// Lame's parameters from Young's modulus (Pa) and Poisson's ratio; volume from the corners.
+template <class T>
+TetrahedronRestT<T> tetrahedron_rest(const std::array<Eigen::Matrix<T, 3, 1>, 4>& corner, const T& youngs_modulus,
+                                     double poisson_ratio) {
+  const double nu = poisson_ratio;
+  const Eigen::Matrix<T, 3, 1> b = corner[1] - corner[0], c = corner[2] - corner[0], d = corner[3] - corner[0];
+  return {corner, youngs_modulus * T(nu / ((1 + nu) * (1 - 2 * nu))), youngs_modulus * T(1 / (2 * (1 + nu))),
+          b.cross(c).dot(d) * T(1.0 / 6)};
 }
 
 }  // namespace lissom

@@ -6,6 +6,7 @@
 #include "lissom/core/assert.h"
 #include "lissom/core/traced_dual.h"
 #include "lissom/mechanics/rest_pieces.h"
+#include "lissom/mechanics/solid_rest_piece.h"
 
 namespace lissom {
 
@@ -83,6 +84,7 @@ VecX rest_numbers_of(const Model& model, const System& system, const VecX& input
   evaluate<ConnectionRestPiece>(s, inputs, numbers);
   evaluate<TriangleRestPiece>(s, inputs, numbers);
   evaluate<HingeRestPiece>(s, inputs, numbers);
+  evaluate<TetrahedronRestPiece>(s, inputs, numbers);
   return numbers;
 }
 
@@ -96,6 +98,7 @@ SparseMatrix rest_jacobian(const Model& model, const System& system) {
   differentiate<ConnectionRestPiece>(s, inputs, jacobian);
   differentiate<TriangleRestPiece>(s, inputs, jacobian);
   differentiate<HingeRestPiece>(s, inputs, jacobian);
+  differentiate<TetrahedronRestPiece>(s, inputs, jacobian);
   jacobian.finalize();
   return jacobian;
 }
@@ -112,6 +115,7 @@ VecX rest_curvature(const Model& model, const System& system, const VecX& y, con
   add_curvature<ConnectionRestPiece>(source, tape, curvature);
   add_curvature<TriangleRestPiece>(source, tape, curvature);
   add_curvature<HingeRestPiece>(source, tape, curvature);
+  add_curvature<TetrahedronRestPiece>(source, tape, curvature);
   return curvature;
 }
 

@@ -26,6 +26,9 @@ VecX rest_input_values(const Model& model, const System& system) {
     inputs[layout.sheet_poisson(m)] = material.poisson_ratio;
     inputs[layout.thickness(m)] = material.thickness;
   }
+  for (int s = 0; s < static_cast<int>(structure.solids.size()); ++s) {
+    inputs[layout.solid_modulus(s)] = model.material(structure.solids[s].material)->youngs_modulus;
+  }
   return inputs;
 }
 
@@ -56,6 +59,9 @@ VecX rest_number_values(const System& system) {
   for (int h = 0; h < static_cast<int>(rest.hinges.size()); ++h) {
     numbers[layout.hinge(h, kHingeStiffness)] = rest.hinges[h].stiffness;
     numbers[layout.hinge(h, kHingeAngle)] = rest.hinges[h].angle;
+  }
+  for (int t = 0; t < static_cast<int>(rest.tetrahedra.size()); ++t) {
+    write_tetrahedron(rest.tetrahedra[t], &numbers[layout.tetrahedron(t, 0)]);
   }
   return numbers;
 }

@@ -35,6 +35,19 @@ enum TriangleNumber {
   kTriangleNumbers = kSide + 3
 };
 enum HingeNumber { kHingeStiffness, kHingeAngle, kHingeNumbers };
+/// Corners (three each), Lame's parameters, volume.
+enum TetrahedronNumber { kTetrahedronCorner = 0, kLambda = 12, kMu, kTetrahedronVolume, kTetrahedronNumbers };
+
+/// A tetrahedron's rest numbers in the order of TetrahedronNumber.
+template <class T>
+void write_tetrahedron(const TetrahedronRestT<T>& rest, T* out) {
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) out[kTetrahedronCorner + 3 * i + k] = rest.corner[i][k];
+  }
+  out[kLambda] = rest.lambda;
+  out[kMu] = rest.mu;
+  out[kTetrahedronVolume] = rest.volume;
+}
 
 class RestNumbers {
  public:
@@ -45,7 +58,8 @@ class RestNumbers {
     for (const StructureJoint& joint : structure.joints) count += static_cast<int>(joint.connections.size());
     triangles_ = connections_ + kConnectionRestCount * count;
     hinges_ = triangles_ + kTriangleNumbers * static_cast<int>(structure.triangles.size());
-    size_ = hinges_ + kHingeNumbers * static_cast<int>(structure.hinges.size());
+    tetrahedra_ = hinges_ + kHingeNumbers * static_cast<int>(structure.hinges.size());
+    size_ = tetrahedra_ + kTetrahedronNumbers * static_cast<int>(structure.tetrahedra.size());
   }
 
   int edge(int e, int number) const { return kEdgeNumbers * e + number; }
@@ -53,23 +67,25 @@ class RestNumbers {
   int connection(int k, int number) const { return connections_ + kConnectionRestCount * k + number; }
   int triangle(int t, int number) const { return triangles_ + kTriangleNumbers * t + number; }
   int hinge(int h, int number) const { return hinges_ + kHingeNumbers * h + number; }
+  int tetrahedron(int t, int number) const { return tetrahedra_ + kTetrahedronNumbers * t + number; }
   int size() const { return size_; }
 
  private:
-  int pairs_ = 0, connections_ = 0, triangles_ = 0, hinges_ = 0, size_ = 0;
+  int pairs_ = 0, connections_ = 0, triangles_ = 0, hinges_ = 0, tetrahedra_ = 0, size_ = 0;
 };
 
 /// Inputs: places of nodes in the drawing (m), half-extents of edges along n and b (m), pre-stretches of membranes along
 /// axes 1 and 2, Young's moduli of rods (Pa), their natural lengths over those of the shapes that describe them, and where
 /// these are constant natural curvatures towards b and n (1/m) and twist (rad/m); of membranes stiffness 1 and 2 (N/m),
-/// Poisson's ratio, thickness (m).
+/// Poisson's ratio, thickness (m); of solids Young's modulus (Pa).
 class RestInputs {
  public:
   explicit RestInputs(const Structure& structure)
       : extents_(3 * static_cast<int>(structure.nodes.size())),
         rods_(extents_ + 2 * static_cast<int>(structure.edges.size())),
         membranes_(rods_ + kRodInputs * static_cast<int>(structure.rods.size())),
-        size_(membranes_ + kMembraneInputs * static_cast<int>(structure.membranes.size())) {}
+        solids_(membranes_ + kMembraneInputs * static_cast<int>(structure.membranes.size())),
+        size_(solids_ + static_cast<int>(structure.solids.size())) {}
 
   int position(int node) const { return 3 * node; }
   int extent_n(int edge) const { return extents_ + 2 * edge; }
@@ -82,11 +98,12 @@ class RestInputs {
   int sheet_stiffness(int membrane, int axis) const { return membranes_ + kMembraneInputs * membrane + 2 + axis; }
   int sheet_poisson(int membrane) const { return membranes_ + kMembraneInputs * membrane + 4; }
   int thickness(int membrane) const { return membranes_ + kMembraneInputs * membrane + 5; }
+  int solid_modulus(int solid) const { return solids_ + solid; }
   int size() const { return size_; }
 
  private:
   static constexpr int kRodInputs = 5, kMembraneInputs = 6;
-  int extents_ = 0, rods_ = 0, membranes_ = 0, size_ = 0;
+  int extents_ = 0, rods_ = 0, membranes_ = 0, solids_ = 0, size_ = 0;
 };
 
 /// All rest numbers, in the order of RestNumbers; those of RestState.

@@ -204,11 +204,13 @@ struct ConnectionRestPiece : RestPlaces<8 + kRodInputs, kConnectionRestCount> {
   }
 };
 
-/// Rest shape of a triangle; in: three points; sheet: pre-stretches, stiffnesses, Poisson's ratio.
+/// Rest shape of a triangle; in: three points; sheet: pre-stretches, stiffnesses, Poisson's ratio; `multiplier`: of the
+/// stiffnesses.
 template <class T>
-TriangleRestT<T> triangle_of(const StructureMembrane& membrane, const std::array<Vec3T<T>, 3>& x, const T* sheet) {
-  return triangle_rest<T>(material_corners<T>(x, membrane.warp_angle), sheet[0], sheet[1], sheet[2], sheet[3],
-                          sheet[4]);
+TriangleRestT<T> triangle_of(const StructureMembrane& membrane, const std::array<Vec3T<T>, 3>& x, const T* sheet,
+                             double multiplier) {
+  return triangle_rest<T>(material_corners<T>(x, membrane.warp_angle), sheet[0], sheet[1], T(multiplier) * sheet[2],
+                          T(multiplier) * sheet[3], sheet[4]);
 }
 
 inline void sheet_inputs(const RestSource& s, int membrane, int* input) {
@@ -222,7 +224,9 @@ inline void sheet_inputs(const RestSource& s, int membrane, int* input) {
 /// Inputs: three points, pre-stretches, stiffnesses, Poisson's ratio. Outputs: TriangleNumber.
 struct TriangleRestPiece : RestPlaces<14, kTriangleNumbers> {
   int membrane;
-  TriangleRestPiece(const RestSource& s, int t) : membrane(s.structure().triangles[t].membrane) {
+  double multiplier;
+  TriangleRestPiece(const RestSource& s, int t)
+      : membrane(s.structure().triangles[t].membrane), multiplier(s.structure().triangles[t].stiffness) {
     int at = 0;
     for (const int node : s.structure().triangles[t].node) place(at, s, node);
     sheet_inputs(s, membrane, input.data() + at);
@@ -233,8 +237,8 @@ struct TriangleRestPiece : RestPlaces<14, kTriangleNumbers> {
   template <class T>
   void compute(const RestSource& s, const T* in, T* out) const {
     using std::sqrt;
-    const TriangleRestT<T> rest =
-        triangle_of<T>(s.structure().membranes[membrane], {point(in), point(in + 3), point(in + 6)}, in + 9);
+    const TriangleRestT<T> rest = triangle_of<T>(s.structure().membranes[membrane],
+                                                 {point(in), point(in + 3), point(in + 6)}, in + 9, multiplier);
     for (int i = 0; i < 3; ++i) {
       out[kCorner + 2 * i] = rest.corner[i].x();
       out[kCorner + 2 * i + 1] = rest.corner[i].y();
@@ -267,11 +271,11 @@ struct HingeRestPiece : RestPlaces<18, kHingeNumbers> {
     const StructureMembrane& membrane = s.structure().membranes[own.membrane];
     const Vec3T<T> x0 = point(in), x1 = point(in + 3), x2 = point(in + 6), x3 = point(in + 9);
     const T* sheet = in + 12;
-    const TriangleRestT<T> left = triangle_of<T>(membrane, {x0, x1, x2}, sheet);
-    const TriangleRestT<T> right = triangle_of<T>(membrane, {x1, x0, x3}, sheet);
+    const TriangleRestT<T> left = triangle_of<T>(membrane, {x0, x1, x2}, sheet, 1);
+    const TriangleRestT<T> right = triangle_of<T>(membrane, {x1, x0, x3}, sheet, 1);
     const T bend = T(membrane.bending) * sheet_bend(sheet[2], sheet[3], sheet[4], sheet[5]);
     const T angle = membrane.rest_folds == RestFolds::kAsDrawn ? fold_angle(x0, x1, x2, x3) : T(0);
-    const HingeRestT<T> rest = hinge_rest(left, 0, right, bend, angle);
+    const HingeRestT<T> rest = hinge_rest(left, 0, right, bend, multipliers(s.structure(), own), angle);
     out[kHingeStiffness] = rest.stiffness;
     out[kHingeAngle] = rest.angle;
   }

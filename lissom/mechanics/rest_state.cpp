@@ -27,17 +27,19 @@ Status add_membranes(const Model& model, const Structure& structure, RestState& 
       return Error{ErrorCode::kUnknown, "membrane " + membrane.name, "there is no fabric \"" + membrane.material + "\"",
                    "add it to membrane_materials or use one of the library"};
     }
-    rest.max_tension = std::max(rest.max_tension, drawn_tension(*material, membrane.pre_stretch));
+    const double tension = drawn_tension(*material, membrane.pre_stretch);
     for (int t = membrane.first_triangle; t < membrane.first_triangle + membrane.triangles; ++t) {
       const StructureTriangle& triangle = structure.triangles[t];
-      const TriangleRest out =
-          triangle_rest<double>(triangle.corner, membrane.pre_stretch[0], membrane.pre_stretch[1],
-                                material->stiffness_1, material->stiffness_2, material->poisson_ratio);
+      const TriangleRest out = triangle_rest<double>(
+          triangle.corner, membrane.pre_stretch[0], membrane.pre_stretch[1], triangle.stiffness * material->stiffness_1,
+          triangle.stiffness * material->stiffness_2, material->poisson_ratio);
+      rest.max_tension = std::max(rest.max_tension, triangle.stiffness * tension);
+      const double area_density = triangle.density * material->area_density;
       for (const int node : triangle.node) {
         rest.node_area[node] += out.area / 3;
-        rest.node_mass[node] += material->area_density * out.area / 3;
+        rest.node_mass[node] += area_density * out.area / 3;
       }
-      rest.total_mass += material->area_density * out.area;
+      rest.total_mass += area_density * out.area;
       rest.triangles.push_back(out);
     }
   }
@@ -48,7 +50,32 @@ Status add_membranes(const Model& model, const Structure& structure, RestState& 
     const std::array<int, 3>& node = structure.triangles[hinge.triangle[0]].node;
     const int from = static_cast<int>(std::find(node.begin(), node.end(), hinge.node[0]) - node.begin());
     const double bend = membrane.bending * model.membrane_material(membrane.material)->bend();
-    rest.hinges.push_back(hinge_rest(left, from, right, bend, hinge.rest_angle));
+    rest.hinges.push_back(hinge_rest(left, from, right, bend, multipliers(structure, hinge), hinge.rest_angle));
+  }
+  return {};
+}
+
+Status add_solids(const Model& model, const Structure& structure, RestState& rest) {
+  rest.node_volume.assign(structure.nodes.size(), 0);
+  rest.tetrahedra.reserve(structure.tetrahedra.size());
+  for (const StructureTetrahedron& tetrahedron : structure.tetrahedra) {
+    const StructureSolid& solid = structure.solids[tetrahedron.solid];
+    const Material* material = model.material(solid.material);
+    if (material == nullptr) {
+      return Error{ErrorCode::kUnknown, "solid " + solid.name, "there is no material \"" + solid.material + "\"",
+                   "add it to materials or use one of the library"};
+    }
+    std::array<Vec3, 4> corner;
+    for (int i = 0; i < 4; ++i) corner[i] = structure.nodes[tetrahedron.node[i]];
+    const TetrahedronRest out =
+        tetrahedron_rest<double>(corner, tetrahedron.stiffness * material->youngs_modulus, material->poisson_ratio);
+    const double mass = tetrahedron.density * material->density * out.volume;
+    for (const int node : tetrahedron.node) {
+      rest.node_volume[node] += out.volume / 4;
+      rest.node_mass[node] += mass / 4;
+    }
+    rest.total_mass += mass;
+    rest.tetrahedra.push_back(out);
   }
   return {};
 }
@@ -97,6 +124,7 @@ Result<RestState> make_rest_state(const Model& model, const Structure& structure
     }
   }
   if (Status status = add_membranes(model, structure, rest); !status) return status.error();
+  if (Status status = add_solids(model, structure, rest); !status) return status.error();
   return rest;
 }
 

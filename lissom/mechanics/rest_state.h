@@ -42,10 +42,19 @@ using TriangleRest = TriangleRestT<double>;
 /// Per edge between two triangles.
 template <class T>
 struct HingeRestT {
-  T stiffness = 0;  ///< N m, D |e|^2 / (A_1 + A_2) [mathematics 3.2, erratum E16]
+  T stiffness = 0;  ///< N m, D |e|^2 / (A_1 / s_1 + A_2 / s_2) with the multipliers s [mathematics 3.2, erratum E16]
   T angle = 0;      ///< rad
 };
 using HingeRest = HingeRestT<double>;
+
+/// Per tetrahedron of a solid.
+template <class T>
+struct TetrahedronRestT {
+  std::array<Eigen::Matrix<T, 3, 1>, 4> corner;  ///< m
+  T lambda = 0, mu = 0;                          ///< Pa, Lame's parameters
+  T volume = 0;                                  ///< m^3
+};
+using TetrahedronRest = TetrahedronRestT<double>;
 
 /// Rest numbers of a whole structure, in the order of its edges, pairs, and connections (joint by joint).
 struct RestState {
@@ -53,12 +62,15 @@ struct RestState {
   std::vector<PairRest> pairs;
   std::vector<PairRest> connections;  ///< natural strains 0; length = half the rest length of the edge (erratum E8)
   std::vector<TriangleRest> triangles;
-  std::vector<HingeRest> hinges;    ///< stiffness 0 where a membrane does not resist bending
-  std::vector<double> node_mass;    ///< kg, half of each incident edge, a third of each triangle
+  std::vector<HingeRest> hinges;  ///< stiffness 0 where a membrane does not resist bending
+  std::vector<TetrahedronRest> tetrahedra;
+  std::vector<double>
+      node_mass;  ///< kg, half of each incident edge, a third of each triangle, a quarter of each tetrahedron
   std::vector<double> node_length;  ///< m, half of each incident edge: where distributed loads go
   std::vector<double> node_area;    ///< m^2, a third of each incident triangle at rest
+  std::vector<double> node_volume;  ///< m^3, a quarter of each incident tetrahedron at rest
   double total_mass = 0;            ///< kg
-  double mean_edge_length = 0;      ///< m, of rods; of triangles where there are none
+  double mean_edge_length = 0;      ///< m, of rods; of triangles and tetrahedra where there are none
   double max_stretch = 0;           ///< N, largest E A
   double max_tension = 0;           ///< N/m, largest tension of a drawn membrane that only its pre-stretch strains
 };

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numeric>
 
 #include "lissom/core/nearest_name.h"
-#include "lissom/geometry/point_grid.h"
 #include "lissom/model/discretize_parts.h"
 #include "lissom/model/expand_plan.h"
 #include "lissom/model/limits.h"
@@ -45,8 +43,7 @@ Status measure_edges(RodShape& shape, const std::string& where, const std::strin
 
 namespace {
 
-constexpr double kDefaultMerge = 1e-6;  // of the size of the structure
-constexpr size_t kShownRemarks = 8;     // of one kind
+constexpr size_t kShownRemarks = 8;  // of one kind
 
 Section section_at(const SectionProfile& profile, double place, bool closed) {
   const auto value = [&](const std::vector<double>& controls) {
@@ -110,85 +107,6 @@ Status sample_rods(Draft& draft, double refine) {
   return {};
 }
 
-/// Numbers the nodes in the order of the rods; points within the merge distance become the first of them.
-Status merge_nodes(Draft& draft) {
-  Structure& s = draft.structure;
-  Vec3 low = draft.drawn.empty() ? draft.membranes[0].points[0] : draft.drawn[0].points[0], high = low;
-  double shortest = std::numeric_limits<double>::infinity();
-  size_t total = 0;
-  for (const RodShape& rod : draft.drawn) {
-    for (const Vec3& p : rod.points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    for (double length : rod.lengths) shortest = std::min(shortest, length);
-    total += rod.points.size();
-  }
-  for (const MembraneMesh& membrane : draft.membranes) {
-    for (const Vec3& p : membrane.points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    for (const std::array<int, 3>& t : membrane.triangles) {
-      const double side = (membrane.points[t[1]] - membrane.points[t[0]]).norm();
-      if (side > 0) shortest = std::min(shortest, side);
-    }
-    total += membrane.points.size();
-  }
-  s.size = (high - low).norm();
-  const double asked = draft.model.merge_distance;
-  if (!std::isfinite(asked) || asked > s.size) {
-    return Error{ErrorCode::kRange, "/merge_distance", fmt::format("the merge distance is {:g} m", asked),
-                 fmt::format("the whole structure measures {:g} m: use less", s.size)};
-  }
-  const double distance = asked > 0 ? asked : kDefaultMerge * s.size;
-  PointGrid grid(distance, std::max(shortest / 2, 1e-9 * s.size), asked < 0 ? 0 : total);
-  for (size_t r = 0; r < draft.drawn.size(); ++r) {
-    RodShape& rod = draft.drawn[r];
-    StructureRod out;
-    out.name = draft.model.rods[r].name;
-    out.material = draft.model.rods[r].material;
-    out.closed = rod.closed;
-    out.nodes.reserve(rod.points.size());
-    bool moved = false;
-    for (Vec3& p : rod.points) {
-      int node = static_cast<int>(s.nodes.size());
-      if (asked >= 0) node = grid.insert(p);
-      if (node == static_cast<int>(s.nodes.size())) s.nodes.push_back(p);
-      const Vec3& merged = s.nodes[static_cast<size_t>(node)];
-      moved = moved || merged != p;
-      p = merged;
-      out.nodes.push_back(node);
-    }
-    if (moved) {
-      if (Status status = measure_edges(rod, rod_place(r), rod_label(draft.model, r)); !status) return status;
-    }
-    s.rods.push_back(std::move(out));
-  }
-  for (size_t m = 0; m < draft.membranes.size(); ++m) {
-    const Membrane& membrane = draft.model.membranes[m];
-    StructureMembrane out;
-    out.name = membrane.name;
-    out.material = membrane.material;
-    out.pre_stretch = membrane.pre_stretch;
-    out.warp_angle = membrane.warp_angle;
-    out.bending = membrane.bending;
-    out.rest_folds = membrane.rest_folds;
-    for (const Vec3& p : draft.membranes[m].points) {
-      int node = static_cast<int>(s.nodes.size());
-      if (asked >= 0) node = grid.insert(p);
-      if (node == static_cast<int>(s.nodes.size())) s.nodes.push_back(p);
-      out.nodes.push_back(node);
-    }
-    s.membranes.push_back(std::move(out));
-  }
-  draft.passages.assign(s.nodes.size(), 0);
-  for (const StructureRod& rod : s.rods) {
-    for (int node : rod.nodes) ++draft.passages[static_cast<size_t>(node)];
-  }
-  return {};
-}
-
 void set_edges(Draft& draft) {
   Structure& s = draft.structure;
   double length = 0;
@@ -207,9 +125,14 @@ void set_edges(Draft& draft) {
     }
   }
   size_t edges = s.edges.size();
-  if (edges == 0) {  // membranes alone
+  if (edges == 0) {  // membranes and solids alone
     for (const StructureTriangle& t : s.triangles) {
       for (int i = 0; i < 3; ++i, ++edges) length += (s.nodes[t.node[i]] - s.nodes[t.node[(i + 1) % 3]]).norm();
+    }
+    for (const StructureTetrahedron& t : s.tetrahedra) {
+      for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < i; ++j, ++edges) length += (s.nodes[t.node[i]] - s.nodes[t.node[j]]).norm();
+      }
     }
   }
   s.mean_edge_length = length / double(edges);
@@ -234,6 +157,9 @@ void set_components(Structure& s) {
   for (const StructureTriangle& t : s.triangles) {
     join(t.node[0], t.node[1]);
     join(t.node[0], t.node[2]);
+  }
+  for (const StructureTetrahedron& t : s.tetrahedra) {
+    for (int i = 1; i < 4; ++i) join(t.node[0], t.node[i]);
   }
   s.component.assign(s.nodes.size(), -1);
   for (size_t i = 0; i < s.nodes.size(); ++i) {
@@ -263,8 +189,8 @@ void set_drawn_frames(Draft& draft) {
 
 /// Of a model without a plan, or one whose plan is expanded.
 Result<Structure> discretize_parts(const Model& model, double refine, size_t cut_rods_from) {
-  if (model.rods.empty() && model.membranes.empty()) {
-    return Error{ErrorCode::kGeometry, "/rods", "there is no rod and no membrane", "describe at least one"};
+  if (model.rods.empty() && model.membranes.empty() && model.solids.empty()) {
+    return Error{ErrorCode::kGeometry, "/rods", "there is no rod, no membrane and no solid", "describe at least one"};
   }
   Draft draft{model, {}, {}, {}, {}, {}, {}, cut_rods_from};
   for (const NetworkFile& file : model.network_files) {
@@ -272,8 +198,10 @@ Result<Structure> discretize_parts(const Model& model, double refine, size_t cut
   }
   if (Status s = sample_rods(draft, refine); !s) return s.error();
   if (Status s = cut_membranes(draft, refine); !s) return s.error();
+  if (Status s = check_solids(draft); !s) return s.error();
   if (Status s = merge_nodes(draft); !s) return s.error();
   if (Status s = set_membranes(draft); !s) return s.error();
+  if (Status s = set_solids(draft); !s) return s.error();
   set_edges(draft);
   set_components(draft.structure);
   set_drawn_frames(draft);

@@ -7,6 +7,7 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/geometry/planar_patterns.h"
 #include "lissom/model/discretize_parts.h"
+#include "lissom/model/element_map.h"
 #include "lissom/model/limits.h"
 #include "lissom/model/membrane_formulas.h"
 
@@ -60,12 +61,14 @@ Status add_triangles(Draft& draft, size_t m) {
   const Membrane& membrane = draft.model.membranes[m];
   StructureMembrane& out = s.membranes[m];
   out.first_triangle = static_cast<int>(s.triangles.size());
-  const std::vector<std::array<int, 3>>& triangles = draft.membranes[m].triangles;
-  out.triangles = static_cast<int>(triangles.size());
-  for (const std::array<int, 3>& local : triangles) {
+  const MembraneMesh& mesh = draft.membranes[m];
+  out.triangles = static_cast<int>(mesh.triangles.size());
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     StructureTriangle triangle;
     triangle.membrane = static_cast<int>(m);
-    for (int i = 0; i < 3; ++i) triangle.node[i] = out.nodes[local[i]];
+    triangle.stiffness = multiplier(mesh.stiffness, t);
+    triangle.density = multiplier(mesh.density, t);
+    for (int i = 0; i < 3; ++i) triangle.node[i] = out.nodes[mesh.triangles[t][i]];
     const Vec3 &a = s.nodes[triangle.node[0]], &b = s.nodes[triangle.node[1]], &c = s.nodes[triangle.node[2]];
     const Vec3 normal = (b - a).cross(c - a);
     const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -139,7 +142,13 @@ Status cut_membranes(Draft& draft, double refine) {
           suggestion(membrane.material, names)};
     }
     draft.membranes.push_back(cut(membrane.shape, refine));
-    nodes += draft.membranes.back().points.size();
+    const MembraneMesh& mesh = draft.membranes.back();
+    if (Status s = check_element_maps(mesh.stiffness, mesh.density, mesh.triangles.size(), kTriangleWords,
+                                      membrane_place(m) + "/mesh");
+        !s) {
+      return s;
+    }
+    nodes += mesh.points.size();
     if (nodes > static_cast<size_t>(kMostNodes)) {
       return Error{ErrorCode::kRange, membrane_place(m),
                    fmt::format("the membranes would have more than {} vertices", kMostNodes), "use larger triangles"};

@@ -51,6 +51,10 @@ std::string rod_label(const Model& model, size_t rod);
 /// Fills lengths and edge tangents from the points; kGeometry when an edge has no length or doubles back on the one before.
 Status measure_edges(RodShape& shape, const std::string& where, const std::string& label);
 
+/// discretize_nodes.cpp: numbers the nodes in the order of rods, membranes, solids; points within the merge distance become
+/// the first of them.
+Status merge_nodes(Draft& draft);
+
 /// discretize_frames.cpp: material frames of the edges. `start`, `end`: joint normals, for MaterialAxes::kJoints.
 /// Remarks (parallel directions, flips) are appended to `notes`, at most one per rod.
 void set_frames(RodShape& shape, const MaterialAxes& axes, const Vec3& start, const Vec3& end, const std::string& label,
@@ -83,6 +87,10 @@ Status set_joints_and_pairs(Draft& draft);
 /// discretize_membranes.cpp: cuts membranes into triangles; then, on merged nodes, their triangles and hinges.
 Status cut_membranes(Draft& draft, double refine);
 Status set_membranes(Draft& draft);
+
+/// discretize_solids.cpp: refuses what no solid can be; then, on merged nodes, their tetrahedra.
+Status check_solids(const Draft& draft);
+Status set_solids(Draft& draft);
 
 /// discretize_supports.cpp: refuses poses in which a later support takes back the movement of an earlier one.
 Status check_supports(const Draft& draft);

@@ -154,6 +154,7 @@ void describe(Fields& fields, DocumentEntry& document) {
              TableOf<MembraneMaterialOf, MembraneMaterial>{{}, &MembraneMaterial::name}, kOptional,
              "Fabrics besides the library, by name.")
       .field("membranes", m.membranes, ListOf<MembraneOf>{}, kOptional, "Pieces of fabric.")
+      .field("solids", m.solids, ListOf<SolidOf>{}, kOptional, "Elastic bodies.")
       .field("fabric_tests", m.fabric_tests, TableOf<FabricTestOf, FabricTest>{{}, &FabricTest::name}, kOptional,
              "Stretch tests of strips of fabric, by name, to which `lissom fit-fabric` fits moduli.")
       .field("plan", m.plan, PlanOf(), kOptional, "Rods drawn flat on pre-stretched fabric, besides the others.")

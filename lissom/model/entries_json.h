@@ -98,6 +98,12 @@ struct MembraneOf {
   JsonValue schema(Schema& schema) const;
 };
 
+struct SolidOf {
+  void read(Reader& reader, const JsonValue& json, Solid& solid) const;
+  JsonValue write(const Solid& solid) const;
+  JsonValue schema(Schema& schema) const;
+};
+
 /// A list of pulls.
 struct FabricTestOf {
   void read(Reader& reader, const JsonValue& json, FabricTest& test) const;

@@ -92,12 +92,17 @@ void describe(Fields& fields, GridEntry& grid) {
 struct MeshEntry {
   std::vector<Vec3> points;
   std::vector<std::vector<int>> triangles;
+  std::vector<double> stiffness, density;
 };
 
 void describe(Fields& fields, MeshEntry& mesh) {
   fields.field("points", mesh.points, ListOf<VectorOf>{{Measure::kLength}, 3}, kRequired, "Vertices.")
       .field("triangles", mesh.triangles, ListOf<ListOf<IntegerOf>>{{{0, kMostNodes}, 3, 3}, 1}, kRequired,
-             "Three numbers of vertices each, from 0, all turning the same way seen from one side of the sheet.");
+             "Three numbers of vertices each, from 0, all turning the same way seen from one side of the sheet.")
+      .field("stiffness", mesh.stiffness, ListOf<NumberOf>{{Measure::kRatio, kPositive}}, kOptional,
+             "By triangle, multiplies the stiffness to stretch and to bend; 1 everywhere when absent.")
+      .field("density", mesh.density, ListOf<NumberOf>{{Measure::kRatio, kNotNegative}}, kOptional,
+             "By triangle, multiplies the area density; 1 everywhere when absent.");
 }
 
 struct MembraneEntry {
@@ -161,7 +166,7 @@ MembraneShape shape_of(const MembraneEntry& entry) {
   if (entry.grid) return MembraneGrid{entry.grid->corner, entry.grid->size, entry.grid->cells[0], entry.grid->cells[1]};
   if (entry.disc) return *entry.disc;
   if (entry.triangles) return *entry.triangles;
-  MembraneMesh mesh{entry.mesh->points, {}};
+  MembraneMesh mesh{entry.mesh->points, {}, entry.mesh->stiffness, entry.mesh->density};
   for (const std::vector<int>& t : entry.mesh->triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
   return mesh;
 }
@@ -174,7 +179,7 @@ struct ShapeWriter {
   void operator()(const MembraneDisc& disc) const { entry.disc = disc; }
   void operator()(const MembraneTriangles& sheet) const { entry.triangles = sheet; }
   void operator()(const MembraneMesh& mesh) const {
-    entry.mesh.emplace().points = mesh.points;
+    entry.mesh = MeshEntry{mesh.points, {}, mesh.stiffness, mesh.density};
     for (const std::array<int, 3>& t : mesh.triangles) entry.mesh->triangles.emplace_back(t.begin(), t.end());
   }
 };

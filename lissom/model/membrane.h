@@ -60,6 +60,10 @@ struct MembraneTriangles {
 struct MembraneMesh {
   std::vector<Vec3> points;                   ///< m, (n x 3)
   std::vector<std::array<int, 3>> triangles;  ///< (t x 3)
+  /// By triangle, multiplies the stiffness to stretch and to bend as a change of Young's modulus at equal thickness does;
+  /// empty: 1 everywhere.
+  std::vector<double> stiffness = {};
+  std::vector<double> density = {};  ///< by triangle, multiplies the area density; empty: 1 everywhere
 };
 
 /// The angles between triangles at which bending is free of stress.

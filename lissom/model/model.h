@@ -21,6 +21,7 @@
 #include "lissom/model/pose.h"
 #include "lissom/model/section.h"
 #include "lissom/model/selector.h"
+#include "lissom/model/solid.h"
 
 namespace lissom {
 
@@ -95,6 +96,7 @@ struct Model {
   std::vector<NetworkFile> network_files;            ///< files from which the last of the rods were read
   std::vector<MembraneMaterial> membrane_materials;  ///< besides the library
   std::vector<Membrane> membranes;
+  std::vector<Solid> solids;
   std::vector<FabricTest> fabric_tests;
   std::optional<Plan> plan;  ///< rods on pre-stretched fabric, besides `rods` and `membranes`
   JointKind joint_kind = JointKind::kExplicit;

@@ -67,6 +67,7 @@ struct StructureTriangle {
   int membrane = -1;
   /// m, corners of the drawn triangle along the material axes 1 and 2; at rest they are divided by the pre-stretch.
   std::array<Vec2, 3> corner;
+  double stiffness = 1, density = 1;  ///< multipliers of the membrane's material
 };
 
 /// An edge between two triangles of a membrane: node0 -> node1, node2 in the triangle on its left, node3 on its right.
@@ -88,6 +89,20 @@ struct StructureMembrane {
   int first_triangle = 0, triangles = 0;
 };
 
+/// One piece of a solid.
+struct StructureTetrahedron {
+  std::array<int, 4> node{-1, -1, -1, -1};  ///< (b - a) x (c - a) points to d
+  int solid = -1;
+  double stiffness = 1, density = 1;  ///< multipliers of the solid's material
+};
+
+struct StructureSolid {
+  std::string name;
+  std::string material;    ///< name
+  std::vector<int> nodes;  ///< of each point of the solid, in its order
+  int first_tetrahedron = 0, tetrahedra = 0;
+};
+
 struct Structure {
   std::vector<Vec3> nodes;  ///< m, drawn positions (n x 3)
   std::vector<StructureEdge> edges;
@@ -97,6 +112,8 @@ struct Structure {
   std::vector<StructureTriangle> triangles;
   std::vector<StructureHinge> hinges;
   std::vector<StructureMembrane> membranes;
+  std::vector<StructureTetrahedron> tetrahedra;
+  std::vector<StructureSolid> solids;
   std::vector<int> component;  ///< connected part of each node, 0-based
   int components = 0;
   double size = 0;                 ///< m, diagonal of the bounding box of the drawn shape

@@ -206,10 +206,11 @@ void Checker::selector(const Selector& selector, const std::string& where) {
 
 Status Model::validate() const {
   Checker check(*this);
-  std::vector<std::string> own, own_fabrics, motion_names;
+  std::vector<std::string> own, own_fabrics, motion_names, solid_names;
   for (const Material& material : materials) own.push_back(material.name);
   for (const MembraneMaterial& fabric : membrane_materials) own_fabrics.push_back(fabric.name);
   for (const MotionCase& motion : motions) motion_names.push_back(motion.name);
+  for (const Solid& solid : solids) solid_names.push_back(solid.name);
   const auto listed = [](const char* key) { return [key](std::size_t i) { return at("", key, i) + "/name"; }; };
   check.distinct(own, "material", [&own](std::size_t i) { return "/materials/" + pointer_step(own[i]); });
   check.distinct(own_fabrics, "fabric",
@@ -230,9 +231,9 @@ Status Model::validate() const {
   for (std::size_t i = 0; i < membrane_materials.size() && !check.failed(); ++i) {
     check_fabric(check, membrane_materials[i], "/membrane_materials/" + pointer_step(own_fabrics[i]));
   }
-  if (rods.empty() && membranes.empty() && !plan && fabric_tests.empty()) {
-    check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods and no membranes",
-               "add some to \"rods\", \"networks\" or \"membranes\"");
+  if (rods.empty() && membranes.empty() && solids.empty() && !plan && fabric_tests.empty()) {
+    check.fail(ErrorCode::kGeometry, "/rods", "the document describes no rods, no membranes and no solids",
+               "add some to \"rods\", \"networks\", \"membranes\" or \"solids\"");
   }
   if (plan && !check.failed()) check.take(check_plan(*this));
   for (std::size_t i = 0; i < rods.size() && !check.failed(); ++i) check_rod(check, rods[i], at("", "rods", i));
@@ -243,6 +244,10 @@ Status Model::validate() const {
   }
   for (std::size_t i = 0; i < membranes.size() && !check.failed(); ++i) {
     check_membrane(check, membranes[i], at("", "membranes", i));
+  }
+  check.distinct(solid_names, "solid", listed("solids"));
+  for (std::size_t i = 0; i < solids.size() && !check.failed(); ++i) {
+    check_solid(check, solids[i], at("", "solids", i));
   }
   check_sets(check, *this);
   for (std::size_t i = 0; i < joints.size() && !check.failed(); ++i) {

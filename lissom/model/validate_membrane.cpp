@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "lissom/model/element_map.h"
 #include "lissom/model/limits.h"
 #include "lissom/model/units.h"
 #include "lissom/model/validate_parts.h"
@@ -114,6 +115,7 @@ struct ShapeCheck {
       check_triangle(check, mesh, t, at(here, "triangles", t));
     }
     if (!check.failed()) check_surface(check, mesh, here);
+    check.take(check_element_maps(mesh.stiffness, mesh.density, mesh.triangles.size(), kTriangleWords, here));
   }
 };
 

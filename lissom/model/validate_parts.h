@@ -59,6 +59,7 @@ void check_rod(Checker& check, const Rod& rod, const std::string& where);
 void check_fabric(Checker& check, const MembraneMaterial& fabric, const std::string& where);
 void check_fabric_test(Checker& check, const FabricTest& test, const std::string& where);
 void check_membrane(Checker& check, const Membrane& membrane, const std::string& where);
+void check_solid(Checker& check, const Solid& solid, const std::string& where);
 void check_pose(Checker& check, const Pose& pose, const std::string& where);
 void check_design(Checker& check, const Brief& brief, const std::string& where);
 /// The parameters of a design, a stage or a calibration, at `where`.

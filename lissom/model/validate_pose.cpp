@@ -138,6 +138,10 @@ void check_loads(Checker& check, const Pose& pose, const std::string& where) {
     const MembraneMaterial* fabric = check.model.membrane_material(membrane.material);
     heavy = heavy || (fabric && fabric->area_density > 0);
   }
+  for (const Solid& solid : check.model.solids) {
+    const Material* material = check.model.material(solid.material);
+    heavy = heavy || (material && material->density > 0);
+  }
   heavy = heavy || check.model.plan.has_value();
   if (!heavy) {
     check.fail(ErrorCode::kConflict, where + "/gravity", "gravity acts, but no material has a density",

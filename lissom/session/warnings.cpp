@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lissom/mechanics/membrane_strain.h"
+#include "lissom/mechanics/solid_strain.h"
 #include "lissom/session/slack_remedy.h"
 
 namespace lissom {
@@ -194,13 +195,34 @@ void warn_of_thin_rods(const Shape& shape, std::vector<Warning>& list) {
                    2e3 * least, 1e3 * shape.limits.diameter, factor, std::pow(factor, 4))});
 }
 
+/// Tetrahedra that their load turned inside out, by solid.
+void warn_of_inverted(const Shape& shape, std::vector<Warning>& list) {
+  const std::vector<double> ratios = volume_ratios(shape.system, shape.state);
+  for (const StructureSolid& solid : shape.structure().solids) {
+    const auto first = ratios.begin() + solid.first_tetrahedron, end = first + solid.tetrahedra;
+    const auto count = std::count_if(first, end, [](double ratio) { return !(ratio > 0); });
+    if (count == 0) continue;
+    const auto worst = std::min_element(first, end);
+    Vec3 middle = Vec3::Zero();
+    for (const int node : shape.structure().tetrahedra[worst - ratios.begin()].node) {
+      middle += shape.state.position(node) / 4;
+    }
+    list.push_back(
+        {"inverted tetrahedra", fmt::format("solid \"{}\", {}", solid.name, place_text(middle)), *worst, "1",
+         fmt::format("{} of its {} tetrahedra are inside out there: load it less, make it stiffer, or spread "
+                     "the load over more points",
+                     count, solid.tetrahedra)});
+  }
+}
+
 }  // namespace
 
 std::vector<Warning> warnings(const System& system, const State& state, double stretch_share,
                               const WarningLimits& limits) {
   std::vector<Warning> list;
-  if (system.structure.triangles.empty()) return list;
   const Shape shape{system, state, stretch_share, limits};
+  warn_of_inverted(shape, list);
+  if (system.structure.triangles.empty()) return list;
   warn_of_slack(shape, list);
   warn_of_compression(shape, list);
   warn_of_turns(shape, list);

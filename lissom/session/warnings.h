@@ -25,15 +25,16 @@ struct WarningLimits {
 inline constexpr std::string_view kEstimatedRemedy = "; for about the same shape ";
 
 struct Warning {
-  std::string what;    ///< "slack fabric", "compressed rod", "turning angle", "thin rod"
+  std::string what;    ///< "slack fabric", "compressed rod", "turning angle", "thin rod",
+                       ///< "inverted tetrahedra"
   std::string where;   ///< rod or membrane by name, with the place in mm where it helps
   double value = 0;    ///< SI, of what is named
   std::string unit;    ///< of the value; "1" for strains and stretches
   std::string remedy;  ///< a sentence
 };
 
-/// Of a structure with membranes, most pressing first within each kind, at most one per membrane or rod and kind
-/// (of thin rods: one); nothing without membranes. `stretch_share`: part of the pre-stretch that is there.
+/// Of a structure with membranes or solids, most pressing first within each kind, at most one per membrane or rod and kind
+/// (of thin rods: one); nothing without either. `stretch_share`: part of the pre-stretch that is there.
 std::vector<Warning> warnings(const System& system, const State& state, double stretch_share,
                               const WarningLimits& limits = {});
 

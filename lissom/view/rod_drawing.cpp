@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lissom/model/structure.h"
+#include "lissom/view/solid_surface.h"
 
 namespace lissom {
 namespace {
@@ -164,6 +165,14 @@ Drawing make_drawing(const Structure& structure, std::span<const Vec3> positions
     }
     drawing.membranes.push_back(std::move(sheet));
   }
+  for (const StructureSolid& solid : structure.solids) {
+    const SolidSurface surface = surface_of(structure, solid);
+    MembraneSheet sheet;
+    sheet.name = solid.name;
+    for (const int node : surface.nodes) sheet.points.push_back(positions[node]);
+    sheet.triangles = surface.triangles;
+    drawing.membranes.push_back(std::move(sheet));
+  }
   return drawing;
 }
 
@@ -175,6 +184,10 @@ std::vector<double> field_values(const Structure& structure, Field::Place place,
       const auto first = values.begin() + membrane.first_triangle;
       arranged.insert(arranged.end(), first, first + membrane.triangles);
     }
+    for (const StructureSolid& solid : structure.solids) {
+      arranged.resize(arranged.size() + surface_of(structure, solid).triangles.size(),
+                      std::numeric_limits<double>::quiet_NaN());
+    }
     return arranged;
   }
   LISSOM_ASSERT(values.size() == (place == Field::Place::kNode ? structure.nodes.size() : structure.edges.size()));
@@ -184,6 +197,9 @@ std::vector<double> field_values(const Structure& structure, Field::Place place,
   if (place == Field::Place::kEdge) return arranged;
   for (const StructureMembrane& membrane : structure.membranes) {
     for (int i : sheet_nodes(structure, membrane)) arranged.push_back(values[i]);
+  }
+  for (const StructureSolid& solid : structure.solids) {
+    for (const int i : surface_of(structure, solid).nodes) arranged.push_back(values[i]);
   }
   return arranged;
 }

@@ -31,7 +31,7 @@ struct RodStrip {
   int end_point(int edge) const { return edge + 1 == static_cast<int>(points.size()) ? 0 : edge + 1; }
 };
 
-/// One membrane.
+/// One membrane, or the outer surface of a solid.
 struct MembraneSheet {
   std::string name;
   std::vector<Vec3> points;                   ///< m, (points x 3)
@@ -40,8 +40,8 @@ struct MembraneSheet {
   std::vector<Vec3> tension;  ///< N/m, along the direction of largest pull, (triangles x 3); empty: unknown
 };
 
-/// A named quantity. `values` runs per point over the rods and then the membranes, per edge over the rods, or per
-/// triangle over the membranes, each in order; NaN: no value.
+/// A named quantity. `values` runs per point over the rods and then the sheets, per edge over the rods, or per triangle over
+/// the sheets, each in order; NaN: no value.
 struct Field {
   enum class Place { kNode, kEdge, kTriangle };
   enum class Colors {
@@ -72,7 +72,7 @@ struct Marker {
 
 struct Drawing {
   std::vector<RodStrip> rods = {};
-  std::vector<MembraneSheet> membranes = {};
+  std::vector<MembraneSheet> membranes = {};  ///< solids come after membranes
   std::vector<Field> fields = {};
   std::vector<Marker> markers = {};
 

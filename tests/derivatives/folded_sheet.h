@@ -1,9 +1,10 @@
 #pragma once
-/// A folded sheet with a warp direction and pre-stretches of its own, as several derivative tests load it.
+/// A folded sheet with a warp direction, pre-stretches and maps of its own, as several derivative tests load it.
 
 #include <utility>
 
 #include "lissom/model/model.h"
+#include "tests/derivatives/solid_block.h"
 
 namespace lissom {
 
@@ -26,6 +27,9 @@ inline Membrane folded_sheet(int columns, double bending) {
       mesh.triangles.push_back({a, a + columns + 1, a + columns});
     }
   }
+  mesh.stiffness = uneven_map(mesh.triangles.size());
+  mesh.density = uneven_map(mesh.triangles.size() + 1);
+  mesh.density.pop_back();
   sheet.shape = std::move(mesh);
   return sheet;
 }

@@ -25,8 +25,8 @@ Rod rod(const char* name, Curve curve, SectionShape shape, std::vector<double> r
   return r;
 }
 
-/// A folded sheet with bending and a warp direction of its own, rods of all sections across and beside it, loads of every
-/// kind that hangs on lengths and areas.
+/// A folded sheet with bending and a warp direction of its own, a solid at its corner, rods of all sections across and beside
+/// it, loads of every kind that hangs on lengths and areas.
 Model everything() {
   Model model;
   model.membrane_materials.push_back({"cloth", 20, 35, 0.25, 4e-4, 0.2, "test"});
@@ -48,6 +48,13 @@ Model everything() {
   curved.natural.twist = 5;
   curved.natural.length_factor = 1.05;
   model.rods.push_back(curved);
+  model.materials.push_back({"gum", 2e5, 0.4, 900, 1, "test"});
+  Solid solid = block({1, 1, 1}, Vec3(0.02, 0.03, 0.025));
+  for (Vec3& p : solid.points) p += corner - Vec3(0.02, 0.03, 0.025) + 5 * p.cwiseProduct(Vec3(p.y(), p.z(), p.x()));
+  solid.points.back() = corner;
+  solid.stiffness = uneven_map(6);
+  solid.density = uneven_map(6);
+  model.solids.push_back(solid);
   Pose pose;
   pose.name = "loaded";
   pose.gravity = Gravity{};
@@ -216,6 +223,7 @@ TEST(RestNumbers, GradientsFollowInputs) {
   compare(exact.col(inputs.sheet_poisson(0)), 1e-5,
           [](Model& m, double h) { m.membrane_materials[0].poisson_ratio += h; });
   compare(exact.col(inputs.thickness(0)), 1e-5, [](Model& m, double h) { m.membrane_materials[0].thickness += h; });
+  compare(exact.col(inputs.solid_modulus(0)), 1, [](Model& m, double h) { m.materials[0].youngs_modulus += h; });
   VecX thicker = VecX::Zero(dq.size());
   for (const int e : system.structure.rods[1].edges) thicker += exact.col(inputs.extent_n(e));
   compare(thicker, 1e-7, [](Model& m, double h) { m.rods[1].section.r_n[0] += h; });

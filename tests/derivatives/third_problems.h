@@ -83,8 +83,8 @@ inline Model network(JointKind joints, JointWeights weights) {
   return model;
 }
 
-/// A folded sheet with bending and a warp direction of its own; `with_rods`: also rods of all sections from vertex to vertex.
-enum class Contents { kSheet, kSheetWithRods };
+/// A folded sheet with bending and a warp direction of its own; with rods of all sections from vertex to vertex, or on a solid.
+enum class Contents { kSheet, kSheetWithRods, kSheetOnSolid };
 inline Model sheet(Contents contents) {
   Model model;
   model.membrane_materials.push_back({"cloth", 20, 35, 0.25, 4e-4, 0.2, "test"});
@@ -111,6 +111,16 @@ inline Model sheet(Contents contents) {
     model.rods[3].natural.kind = Natural::Kind::kCurved;
     model.rods[3].natural.curvature_b = 12;
   }
+  if (contents == Contents::kSheetOnSolid) {
+    Solid solid = block({3, 3, 1}, Vec3::Ones(), "TPU 92A");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      solid.points[points.size() + i] = points[i];
+      solid.points[i] = points[i] + Vec3(0.001 * static_cast<double>(i % 3), 0.002, -0.02);
+    }
+    solid.stiffness = uneven_map(solid.tetrahedra.size());
+    solid.density = uneven_map(solid.tetrahedra.size());
+    model.solids.push_back(solid);
+  }
   model.poses.push_back(pose);
   return model;
 }
@@ -126,6 +136,7 @@ inline const Case kCases[] = {
     {"ThesisWeights", [] { return network(JointKind::kCorotational, JointWeights::kThesis); }, 11},
     {"Sheet", [] { return sheet(Contents::kSheet); }, 4},
     {"RodsOnFabric", [] { return sheet(Contents::kSheetWithRods); }, 7},
+    {"FabricOnSolid", [] { return sheet(Contents::kSheetOnSolid); }, 5},
 };
 
 /// A model far from rest, over many transported steps.

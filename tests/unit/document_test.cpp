@@ -95,7 +95,15 @@ TEST(Document, EveryKeyIsRead) {
   EXPECT_EQ(std::get<MembraneDisc>(m.membranes[1].shape).inner_radius, 0.1);
   EXPECT_EQ(std::get<MembraneTriangles>(m.membranes[2].shape).columns, 3);
   EXPECT_EQ(std::get<MembraneMesh>(m.membranes[3].shape).triangles.at(1), (std::array<int, 3>{0, 2, 3}));
+  EXPECT_EQ(std::get<MembraneMesh>(m.membranes[3].shape).stiffness, (std::vector<double>{1, 3}));
+  EXPECT_EQ(std::get<MembraneMesh>(m.membranes[3].shape).density, (std::vector<double>{0, 2.5}));
   EXPECT_EQ(m.membranes[3].rest_folds, RestFolds::kFlat);
+  ASSERT_EQ(m.solids.size(), 1u);
+  EXPECT_EQ(m.solids[0].points.at(3), Vec3(0, 0, 0.5));
+  EXPECT_EQ(m.solids[0].tetrahedra.at(1), (std::array<int, 4>{0, 2, 4, 3}));
+  EXPECT_EQ(m.solids[0].material, "TPU 92A");
+  EXPECT_EQ(m.solids[0].stiffness, (std::vector<double>{0.1, 1}));
+  EXPECT_EQ(m.solids[0].density, (std::vector<double>{1, 0}));
   EXPECT_EQ(m.fabric_tests.at(0).pulls.at(1).across, 0);
   EXPECT_EQ(m.sets.at(1).nodes.parts.at(1).fraction, 0.5);
   const Pose& loaded = m.poses.at(0);
@@ -165,6 +173,7 @@ class RandomModel {
     for (int i = 0; i < 4; ++i) m.rods.push_back(rod(i));
     m.membrane_materials = {{"f/1", positive(), positive(), number(-0.9, 0.9), positive(), positive(), "s"}};
     for (int i = 0; i < 4; ++i) m.membranes.push_back(membrane(i));
+    m.solids = {solid()};
     m.plan = plan();
     m.fabric_tests = {{"t", {{any(), 1 + positive(), positive(), pick(2) ? positive() : 0}}}};
     m.joint_kind = static_cast<JointKind>(pick(3));
@@ -244,12 +253,22 @@ class RandomModel {
     if (index == 1) m.shape = MembraneDisc{place, 1 + positive(), pick(2) ? number(0, 1) : 0, 1 + pick(9), 3 + pick(9)};
     if (index == 2) m.shape = MembraneTriangles{place, positive(), 1 + pick(9), 1 + pick(9)};
     const double size = positive();
-    if (index == 3) m.shape = MembraneMesh{{Vec3::Zero(), size * Vec3::UnitX(), size * direction()}, {{0, 1, 2}}};
+    if (index == 3) {
+      m.shape = MembraneMesh{{Vec3::Zero(), size * Vec3::UnitX(), size * direction()}, {{0, 1, 2}}, {positive()}, {0}};
+    }
     m.pre_stretch = pick(2) ? Vec2(positive(), positive()) : Vec2(1.5, 1.5);
     m.warp_angle = any();
     m.bending = pick(2) ? positive() : 0;
     m.rest_folds = static_cast<RestFolds>(pick(2));
     return m;
+  }
+
+  Solid solid() {
+    const double size = positive();
+    const Vec3 top = number(0.1, 1) * Vec3::UnitZ() + number(-1, 1) * Vec3::UnitX();
+    return {"solid",        {Vec3::Zero(), size * Vec3::UnitX(), size * Vec3::UnitY(), size * top},
+            {{0, 1, 2, 3}}, "PLA",
+            {positive()},   {positive()}};
   }
 
   Rod rod(int index) {

@@ -68,7 +68,9 @@ class ModelBits {
   void add(const MembraneDisc& x) { add_all(x.centre, x.radius, x.inner_radius, x.rings, x.sectors); }
   void add(const MembraneTriangles& x) { add_all(x.corner, x.edge, x.columns, x.rows); }
   void add(const std::array<int, 3>& x) { add_all(x[0], x[1], x[2]); }
-  void add(const MembraneMesh& x) { add_all(x.points, x.triangles); }
+  void add(const std::array<int, 4>& x) { add_all(x[0], x[1], x[2], x[3]); }
+  void add(const MembraneMesh& x) { add_all(x.points, x.triangles, x.stiffness, x.density); }
+  void add(const Solid& x) { add_all(x.name, x.points, x.tetrahedra, x.material, x.stiffness, x.density); }
   void add(const Membrane& x) {
     add_all(x.name, static_cast<int>(x.shape.index()), x.material, x.pre_stretch, x.warp_angle, x.bending,
             x.rest_folds);
@@ -152,9 +154,9 @@ class ModelBits {
             x.tolerance_absolute, x.source);
   }
   void add(const Model& x) {
-    add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.fabric_tests,
-            x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses, x.motions, x.design,
-            x.calibration, x.expectations);
+    add_all(x.title, x.source, x.materials, x.rods, x.network_files, x.membrane_materials, x.membranes, x.solids,
+            x.fabric_tests, x.joint_kind, x.joint_weights, x.joints, x.merge_distance, x.torsion, x.sets, x.poses,
+            x.motions, x.design, x.calibration, x.expectations);
   }
   template <class... T>
   void add_all(const T&... x) {
