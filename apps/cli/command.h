@@ -23,6 +23,7 @@ void add_verify(CLI::App& app, Runner& chosen);
 void add_calibrate(CLI::App& app, Runner& chosen);
 void add_fit_fabric(CLI::App& app, Runner& chosen);
 void add_convert(CLI::App& app, Runner& chosen);
+void add_surface(CLI::App& app, Runner& chosen);
 void add_schema(CLI::App& app, Runner& chosen);
 void add_scenes(CLI::App& app, Runner& chosen);
 

@@ -4,10 +4,10 @@
 
 #include <map>
 
+#include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
-#include "lissom/model/units.h"
 
 namespace lissom::cli {
 
@@ -17,16 +17,6 @@ struct Arguments {
   std::string input, output, unit = "mm", material, fabric, radius = "1 mm", rods = "chains", field, obj = "lines";
   int edges = 4;
 };
-
-/// Metres of a length with its unit.
-Result<double> length_of(const std::string& text, const char* option) {
-  const Result<Quantity> quantity = parse_quantity(text);
-  if (quantity && quantity.value().unit.dimension == dimension(Measure::kLength) && quantity.value().value > 0) {
-    return quantity.value().value;
-  }
-  return Error{ErrorCode::kUnit, option, "\"" + text + "\" is not a length",
-               "write a number with its unit, such as \"5 mm\""};
-}
 
 Result<NetworkOptions> network_options(const Arguments& arguments) {
   NetworkOptions options;

@@ -39,14 +39,21 @@ bool Mending::is_thin(int triangle) const {
   return is_thin(surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]);
 }
 
+void Mending::turn_over(int triangle) {
+  std::swap(surface.triangles[triangle][1], surface.triangles[triangle][2]);
+  if (!unsewn.empty()) std::swap(unsewn[triangle][1], unsewn[triangle][2]);
+}
+
 void Mending::drop(const std::vector<char>& marked) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < marked.size(); ++t) {
     if (marked[t]) continue;
     surface.triangles[kept] = surface.triangles[t];
+    if (!unsewn.empty()) unsewn[kept] = unsewn[t];
     origins[kept++] = origins[t];
   }
   surface.triangles.resize(kept);
+  if (!unsewn.empty()) unsewn.resize(kept);
   origins.resize(kept);
 }
 
@@ -80,6 +87,14 @@ Status check_vertices(const Mending& mending, Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
+double largest_extent(const Surface& surface) {
+  Eigen::AlignedBox3d box;
+  for (const auto& t : surface.triangles) {
+    for (const int v : t) box.extend(surface.vertices[v]);
+  }
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
 Status check_numbers(Mending& mending) {
   const Surface& surface = mending.surface;
   if (surface.triangles.size() > static_cast<std::size_t>(kMostSurfaceTriangles) ||
@@ -101,20 +116,19 @@ Status check_numbers(Mending& mending) {
   for (std::size_t t = 0; t < mending.origins.size(); ++t) mending.origins[t] = static_cast<int>(t);
   Eigen::AlignedBox3d box;
   if (Status s = check_vertices(mending, box); !s) return s;
-  mending.extent = box.sizes().maxCoeff();
+  const double extent = box.sizes().maxCoeff();
   const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  if (!(mending.extent > 1e-9) || farthest > 1e6) {
-    return Error{
-        ErrorCode::kRange, mending.where,
-        fmt::format("the surface is {:.3g} m across and reaches {:.3g} m from the origin", mending.extent, farthest),
-        "check the unit, and move the surface to the origin"};
+  if (!(extent > 1e-9) || farthest > 1e6) {
+    return Error{ErrorCode::kRange, mending.where,
+                 fmt::format("the surface is {:.3g} m across and reaches {:.3g} m from the origin", extent, farthest),
+                 "check the unit, and move the surface to the origin"};
   }
-  if (farthest > 1e7 * mending.extent) {
+  if (farthest > 1e7 * extent) {
     return Error{
         ErrorCode::kRange, mending.where,
         fmt::format(
             "the surface is {:.3g} m across but {:.3g} m from the origin, which leaves its coordinates few digits",
-            mending.extent, farthest),
+            extent, farthest),
         "move it to the origin in the program that made it"};
   }
   return {};

@@ -17,6 +17,8 @@ struct Mending {
   SurfaceRepairOptions options;
   std::string where;
   double extent = 0;  ///< m, largest
+  /// From sew_rims to split_fans, if anything was sewn: the triangles with the vertices from before.
+  Triangles unsewn = {};
   std::vector<SurfaceNote> notes;
 
   Vec3 middle(int triangle) const;
@@ -25,17 +27,21 @@ struct Mending {
   double height(int triangle) const;               ///< m, over the longest side
   bool is_thin(int triangle) const;
   bool is_thin(const Vec3& a, const Vec3& b, const Vec3& c) const;
+  void turn_over(int triangle);
   /// Leaves out the triangles that are marked.
   void drop(const std::vector<char>& marked);
   /// Keeps the note if it counts something.
   void note(SurfaceNote note, SurfaceNote::Outcome outcome = SurfaceNote::Outcome::kMended);
 };
 
-/// Numbers that do not exist, extents that cannot be computed with; finds the extent.
+/// Largest side of the box around the triangles (m).
+double largest_extent(const Surface& surface);
+
+/// Numbers that do not exist, extents that cannot be computed with; numbers the triangles.
 Status check_numbers(Mending& mending);
 
 /// Merges vertices at rims that are in one place, so that what was drawn side by side is connected. Vertices inside stay
-/// apart: closed parts that only touch would be fused.
+/// apart: closed parts that only touch would be fused. What is merged is noted by split_fans, which parts some again.
 void sew_rims(Mending& mending);
 void drop_repeated_corners(Mending& mending);
 /// Triangles over the same three places, whichever way they are turned.
@@ -48,7 +54,7 @@ Status leave_one_piece(Mending& mending);
 Status turn_alike(Mending& mending);
 /// The whole surface, when it is closed and faces inward.
 void turn_outward(Mending& mending);
-/// Vertices where fans of triangles only touch become one vertex for each fan.
+/// Vertices where fans of triangles only touch become one vertex for each fan: those from before sewing, if they were.
 void split_fans(Mending& mending);
 
 Status mend_thin_triangles(Mending& mending);

@@ -1,5 +1,6 @@
 #include "lissom/geometry/surface_repair.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -49,6 +50,40 @@ Status anything_left(const Mending& mending) {
                "the file is damaged; export the surface again"};
 }
 
+/// Every step once.
+Status mend_once(Mending& mending) {
+  drop_repeated_corners(mending);
+  sew_rims(mending);
+  drop_duplicates(mending);
+  if (Status s = anything_left(mending); !s) return s;
+  if (Status s = leave_one_piece(mending); !s) return s;
+  if (Status s = turn_alike(mending); !s) return s;
+  split_fans(mending);
+  if (Status s = mend_thin_triangles(mending); !s) return s;
+  if (Status s = anything_left(mending); !s) return s;
+  close_small_holes(mending);
+  turn_outward(mending);
+  return {};
+}
+
+/// Until a round finds nothing to mend: what is returned stays as it is when it is brought again.
+Status mend_until_sound(Mending& mending) {
+  constexpr int kRounds = 5;  // the second finds nothing in nearly all surfaces
+  for (int round = 0; round < kRounds; ++round) {
+    std::erase_if(mending.notes, [](const SurfaceNote& n) { return n.outcome == SurfaceNote::Outcome::kKept; });
+    const std::size_t before = mending.notes.size();
+    mending.extent = largest_extent(mending.surface);
+    if (Status s = mend_once(mending); !s) return s;
+    const bool mended = std::any_of(mending.notes.begin() + static_cast<std::ptrdiff_t>(before), mending.notes.end(),
+                                    [](const auto& n) { return n.outcome == SurfaceNote::Outcome::kMended; });
+    if (!mended) return {};
+  }
+  const SurfaceNote& last = mending.notes.back();
+  return Error{ErrorCode::kGeometry, mending.where,
+               fmt::format("the surface lies on itself or is crumpled so that mending finds no end: {}", last.text()),
+               "remesh it in the program that made it"};
+}
+
 }  // namespace
 
 Status SurfaceRepairOptions::validate() const {
@@ -63,17 +98,7 @@ Result<RepairedSurface> repair_surface(Surface surface, const SurfaceRepairOptio
   Mending mending{.surface = std::move(surface), .origins = {}, .options = options, .where = where, .notes = {}};
   if (Status s = check_numbers(mending); !s) return s.error();
   note_unused(mending);
-  drop_repeated_corners(mending);
-  sew_rims(mending);
-  drop_duplicates(mending);
-  if (Status s = anything_left(mending); !s) return s.error();
-  if (Status s = leave_one_piece(mending); !s) return s.error();
-  if (Status s = turn_alike(mending); !s) return s.error();
-  split_fans(mending);
-  if (Status s = mend_thin_triangles(mending); !s) return s.error();
-  if (Status s = anything_left(mending); !s) return s.error();
-  close_small_holes(mending);
-  turn_outward(mending);
+  if (Status s = mend_until_sound(mending); !s) return s.error();
   if (Status s = look_for_crossings(mending); !s) return s.error();
   return RepairedSurface{compacted(mending.surface), std::move(mending.notes)};
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Makes a surface that somebody brought one that can be computed on: one piece, at most two triangles at a side, one fan
-/// of triangles at a vertex, all turned alike (outward when closed), none without area. What can be mended without
+/// Makes a surface that somebody brought one that can be computed on: one piece, at most two triangles at a side, one
+/// fan of triangles at a vertex, all turned alike (outward when closed), none without area. What can be mended without
 /// changing the shape is mended and noted; the rest is refused with its place.
 
 #include <string>
@@ -37,9 +37,10 @@ struct RepairedSurface {
 };
 
 /// `where` begins the places of errors: "hat.obj" gives "hat.obj/triangles/7". Vertices and triangles in notes have the
-/// numbers that they have in `surface`. Same input, same bytes out; time n log n, for defects in number of the triangles
-/// too. Errors: kRange for coordinates and corners that do not exist, kGeometry for what cannot be mended, kUnsupported
-/// for more than kMostSurfaceTriangles.
+/// numbers that they have in `surface`. What is returned comes back the same, without a word of mending, when it is
+/// given again. Same input, same bytes out; time n log n, for defects in number of the triangles too. Errors: kRange
+/// for coordinates and corners that do not exist, kGeometry for what cannot be mended, kUnsupported for more than
+/// kMostSurfaceTriangles.
 Result<RepairedSurface> repair_surface(Surface surface, const SurfaceRepairOptions& options, const std::string& where);
 
 }  // namespace lissom

@@ -35,22 +35,19 @@ void sew_rims(Mending& mending) {
   std::vector<int> first;  // vertex of each point in the grid
   std::vector<int> merged(surface.vertices.size());
   std::iota(merged.begin(), merged.end(), 0);
-  SurfaceNote note{.what = "vertices in the place of another one", .places = {}, .done = "merged with it"};
+  bool any = false;
   for (int v = 0; v < static_cast<int>(merged.size()); ++v) {
     if (!at_rim[v]) continue;
     const int point = grid.insert(surface.vertices[v]);
-    if (point == static_cast<int>(first.size())) {
-      first.push_back(v);
-      continue;
-    }
+    if (point == static_cast<int>(first.size())) first.push_back(v);
     merged[v] = first[point];
-    note.add(fmt::format("vertex {}", v), surface.vertices[v]);
+    any = any || merged[v] != v;
   }
-  if (note.count == 0) return;
+  if (!any) return;
+  mending.unsewn = surface.triangles;
   for (auto& t : surface.triangles) {
     for (int& v : t) v = merged[v];
   }
-  mending.note(std::move(note));
   drop_repeated_corners(mending);
 }
 

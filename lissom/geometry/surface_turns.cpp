@@ -14,8 +14,6 @@ bool is_closed(const std::vector<int>& mates) {
   return true;
 }
 
-void turn(std::array<int, 3>& triangle) { std::swap(triangle[1], triangle[2]); }
-
 Error one_sided(const Mending& mending, int side) {
   const Triangles& triangles = mending.surface.triangles;
   return {ErrorCode::kGeometry, mending.triangle_place(side / 3),
@@ -64,13 +62,13 @@ Status turn_alike(Mending& mending) {
   double kept_area = 0, turned_area = 0;
   for (std::size_t t = 0; t < turned.size(); ++t) {
     (turned[t] ? turned_area : kept_area) += area_vector(surface, static_cast<int>(t)).norm();
-    if (turned[t]) turn(surface.triangles[t]);
+    if (turned[t]) mending.turn_over(static_cast<int>(t));
   }
   // Open surfaces: as most of them were. Closed ones: outward.
   const bool other_way = is_closed(mates) ? enclosed_volume(surface) < 0 : turned_area > kept_area;
   SurfaceNote note{.what = "triangles turned against their neighbours, or inward", .places = {}, .done = "turned over"};
   for (std::size_t t = 0; t < turned.size(); ++t) {
-    if (other_way) turn(surface.triangles[t]);
+    if (other_way) mending.turn_over(static_cast<int>(t));
     if ((turned[t] != 0) != other_way)
       note.add(mending.triangle_name(static_cast<int>(t)), mending.middle(static_cast<int>(t)));
   }
@@ -81,16 +79,17 @@ Status turn_alike(Mending& mending) {
 void turn_outward(Mending& mending) {
   Surface& surface = mending.surface;
   if (!is_closed(side_mates(surface.triangles)) || enclosed_volume(surface) >= 0) return;
-  for (auto& t : surface.triangles) turn(t);
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) mending.turn_over(t);
   SurfaceNote note{.what = "triangles turned inward", .places = {}, .done = "turned over"};
   note.count = static_cast<int>(surface.triangles.size());
   mending.note(std::move(note));
 }
 
-void split_fans(Mending& mending) {
-  Surface& surface = mending.surface;
-  const std::vector<int> mates = side_mates(surface.triangles);
-  // Corners are in one fan when a side connects them.
+namespace {
+
+/// Fan of each corner (3 t + i): the first corner that sides connect it to, around its vertex.
+std::vector<int> fans_of(const Triangles& triangles) {
+  const std::vector<int> mates = side_mates(triangles);
   std::vector<int> root(mates.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](int c) {
@@ -101,27 +100,64 @@ void split_fans(Mending& mending) {
   for (int s = 0; s < static_cast<int>(mates.size()); ++s) {
     if (mates[s] < s) continue;
     // Neighbours are turned alike by now: where one side starts the other ends.
-    for (const auto& [a, b] : {std::pair(find(s), find(next(mates[s]))), std::pair(find(next(s)), find(mates[s]))}) {
-      root[std::max(a, b)] = std::min(a, b);
+    for (const auto& [a, b] : {std::pair(s, next(mates[s])), std::pair(next(s), mates[s])}) {
+      const int low = std::min(find(a), find(b));
+      root[find(a)] = low;
+      root[find(b)] = low;
     }
   }
-  std::vector<int> first_fan(surface.vertices.size(), -1), own_vertex(mates.size(), -1);
+  for (int c = 0; c < static_cast<int>(root.size()); ++c) root[c] = find(c);
+  return root;
+}
+
+/// Vertices that were in use before sewing and are not any more.
+void note_sewn(Mending& mending) {
+  std::vector<char> used(mending.surface.vertices.size(), 0), before(used.size(), 0);
+  for (std::size_t t = 0; t < mending.unsewn.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      used[mending.surface.triangles[t][i]] = 1;
+      before[mending.unsewn[t][i]] = 1;
+    }
+  }
+  SurfaceNote note{.what = "vertices in the place of another one", .places = {}, .done = "merged with it"};
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (before[v] && !used[v]) note.add(fmt::format("vertex {}", v), mending.surface.vertices[v]);
+  }
+  mending.note(std::move(note));
+}
+
+}  // namespace
+
+void split_fans(Mending& mending) {
+  Surface& surface = mending.surface;
+  const std::vector<int> fans = fans_of(surface.triangles);
+  std::vector<int> first_fan(surface.vertices.size(), -1);  // by vertex
+  for (std::size_t c = 0; c < fans.size(); ++c) {
+    int& first = first_fan[surface.triangles[c / 3][c % 3]];
+    if (first < 0) first = fans[c];
+  }
+  std::vector<int> own_vertex(fans.size(), -1);  // by fan, of those that are not the first at their vertex
   SurfaceNote note{
       .what = "vertices in which parts of the surface only touch", .places = {}, .done = "made one for each part"};
-  for (int c = 0; c < static_cast<int>(mates.size()); ++c) {
-    const int v = surface.triangles[c / 3][c % 3], fan = find(c);
-    if (first_fan[v] < 0) first_fan[v] = fan;
+  for (std::size_t c = 0; c < fans.size(); ++c) {
+    const int v = surface.triangles[c / 3][c % 3], fan = fans[c];
     if (first_fan[v] == fan) continue;
     if (own_vertex[fan] < 0) {
-      own_vertex[fan] = static_cast<int>(surface.vertices.size());
-      const Vec3 at = surface.vertices[v];
-      surface.vertices.push_back(at);
-      first_fan.push_back(fan);
-      if (!surface.darkness.empty()) surface.darkness.push_back(double(surface.darkness[v]));
-      note.add(fmt::format("vertex {}", v), at);
+      const int before = mending.unsewn.empty() ? v : mending.unsewn[c / 3][c % 3];
+      own_vertex[fan] = first_fan[before] < 0 ? before : static_cast<int>(surface.vertices.size());
+      if (own_vertex[fan] == before) {
+        first_fan[before] = fan;
+      } else {
+        surface.vertices.push_back(Vec3(surface.vertices[v]));
+        if (!surface.darkness.empty()) surface.darkness.push_back(double{surface.darkness[v]});
+        first_fan.push_back(fan);
+        note.add(fmt::format("vertex {}", v), surface.vertices[v]);
+      }
     }
     surface.triangles[c / 3][c % 3] = own_vertex[fan];
   }
+  if (!mending.unsewn.empty()) note_sewn(mending);
+  mending.unsewn.clear();
   mending.note(std::move(note));
 }
 
