@@ -38,20 +38,29 @@ std::vector<PrintFinding> thin_rods(const Structure& structure, const std::vecto
 }
 
 std::vector<PrintFinding> near_findings(const Structure& structure, const std::vector<RodPiece>& pieces,
-                                        const PrintProcess& process) {
+                                        const PrintProcess& process, double cell) {
   std::vector<PrintFinding> findings;
-  for (const NearRods& near : near_rods(pieces, process.gap)) {
+  for (const NearRods& near : near_rods(pieces, std::max(process.gap, cell))) {
     const std::string &first = structure.rods[near.rod0].name, &second = structure.rods[near.rod1].name;
     const std::string rods = near.rod0 == near.rod1 ? first + " and itself" : first + " and " + second;
     const bool touch = near.gap <= 0;
-    findings.push_back(
-        {Weight::kError, touch ? "rods touch" : "rods are close", print_place(rods, near.place), near.gap,
-         touch ? fmt::format(
-                     "they overlap by {:.2g} mm where they share no joint, and would be one piece: move them apart, "
-                     "or join them in the document",
-                     -1e3 * near.gap)
-               : fmt::format("{:.2g} mm lie between them, and would fuse below {:.2g} mm: move them apart",
-                             1e3 * near.gap, 1e3 * process.gap)});
+    PrintFinding finding{
+        Weight::kError, touch ? "rods touch" : "rods are close", print_place(rods, near.place), near.gap, {}};
+    if (touch) {
+      finding.remedy = fmt::format(
+          "they overlap by {:.2g} mm where they share no joint, and would be one piece: move them "
+          "apart, or join them in the document",
+          -1e3 * near.gap);
+    } else if (near.gap < process.gap) {
+      finding.remedy = fmt::format("{:.2g} mm lie between them, and would fuse below {:.2g} mm: move them apart",
+                                   1e3 * near.gap, 1e3 * process.gap);
+    } else {
+      finding.remedy = fmt::format(
+          "{:.2g} mm lie between them, less than the {:.2g} mm that the surface resolves: give a "
+          "smaller tolerance",
+          1e3 * near.gap, 1e3 * cell);
+    }
+    findings.push_back(std::move(finding));
   }
   std::stable_sort(findings.begin(), findings.end(),
                    [](const PrintFinding& a, const PrintFinding& b) { return a.value < b.value; });
@@ -89,8 +98,10 @@ std::string print_place(const std::string& rods, const Vec3& place) {
 std::vector<PrintFinding> print_checks(const Structure& structure, const std::vector<RodSolid>& solids,
                                        const PrintProcess& process, double tolerance) {
   const std::vector<RodPiece> pieces = rod_pieces(structure, tolerance);
+  double cell = 0;
+  for (const RodSolid& solid : solids) cell = std::max(cell, solid.cell);
   std::vector<PrintFinding> findings = thin_rods(structure, pieces, process);
-  for (const PrintFinding& f : near_findings(structure, pieces, process)) findings.push_back(f);
+  for (const PrintFinding& f : near_findings(structure, pieces, process, cell)) findings.push_back(f);
   for (const PrintFinding& f : bed_findings(solids, process)) findings.push_back(f);
   const auto tube = std::find_if(pieces.begin(), pieces.end(),
                                  [](const RodPiece& piece) { return piece.shape == SectionShape::kTube; });

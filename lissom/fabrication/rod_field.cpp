@@ -116,8 +116,8 @@ double RodField::value(const Vec3& x, std::span<const int> segments) const {
   for (std::size_t i = 0; i < count; ++i) {
     least = std::min(least, hits[i].distance);
     for (std::size_t j = i + 1; j < count; ++j) {
-      const double turned = (1 - hits[i].direction.dot(hits[j].direction)) / 2;
-      const double k = kValley * std::min(hits[i].thin, hits[j].thin) * std::clamp(turned, 0.0, 1.0);
+      const double along = hits[i].direction.dot(hits[j].direction);
+      const double k = kValley * std::min(hits[i].thin, hits[j].thin) * std::max(0.0, 1 - along * along);
       const double near = k - std::abs(hits[i].distance - hits[j].distance);
       if (near <= 0) continue;
       least = std::min(least, std::min(hits[i].distance, hits[j].distance) - near * near / (4 * k));

@@ -24,8 +24,8 @@ struct FieldPart {
 /// the stations: x belongs to the share s of the way at which (x - centre) . t changes its sign. Within a section the
 /// distance is (g - 1) / |grad g| with g = sqrt((u / r_b)^2 + (v / r_n)^2) for ellipses [Taubin 1994], and as usual for
 /// rectangles. Two groups a and b are united as min(a, b) - max(k - |a - b|, 0)^2 / (4 k), with k a share of the
-/// thinner half-extent that vanishes where both surfaces point the same way: valleys are filled, and rods that go on in
-/// line get no bulge.
+/// thinner half-extent times sin^2 of the angle between the normals: valleys are filled, rods that go on in line get no
+/// bulge, and those that pass each other at a distance no bridge.
 class RodField {
  public:
   /// `cell` (m): spacing of the points between which the surface will be straight. Facets with corners on a convex surface

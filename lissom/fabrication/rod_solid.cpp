@@ -55,8 +55,8 @@ class Maker {
       for (int side = 0; side < 2; ++side) {
         if (span.cluster[side] != number) continue;
         const RodStation& at = station(piece, side == 0 ? span.first : span.last);
-        cuts.push_back(
-            {at, side == 0 ? 1 : -1, at.reach(piece.shape) + 1.5 * cluster.cell, (kStub + 1.5) * cluster.cell});
+        cuts.push_back({at, side == 0 ? 1 : -1, at.reach(piece.shape) + 1.5 * cluster.cell,
+                        (kStub + 1.5) * cluster.cell, kPlay * cluster.cell});
         lips.push_back(&lips_[s][side]);
       }
     }
@@ -174,6 +174,7 @@ Result<RodSolid> solid_of(const Structure& structure, const std::vector<RodPiece
     solid.parts = check.parts;
     solid.tubes = static_cast<int>(plan.spans.size());
     solid.joints = static_cast<int>(plan.clusters.size());
+    for (const RodCluster& cluster : plan.clusters) solid.cell = std::max(solid.cell, cluster.cell);
     solid.attempts = attempt;
     solid.tolerance = options.tolerance * plan.coarser * plan.coarser;  // heights of chords grow with their square
     return solid;

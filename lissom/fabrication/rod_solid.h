@@ -23,6 +23,7 @@ struct RodSolid {
   Surface surface;       ///< m, closed, outwards, without self-intersections; parts that do not touch are allowed
   double volume = 0;     ///< m^3
   double tolerance = 0;  ///< m, reached: above the one asked for where triangles would have been too many
+  double cell = 0;       ///< m, of the coarsest lattice: gaps that are narrower may be closed
   int parts = 0;         ///< connected ones
   int tubes = 0;         ///< stretches where rods run alone and are rings of sections
   int joints = 0;        ///< places where rods are near each other, whose surface was looked for on a lattice

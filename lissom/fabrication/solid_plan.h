@@ -30,7 +30,8 @@ struct SolidPlan {
 };
 
 inline constexpr double kStub = 2.5;  ///< cells
-inline constexpr double kLip = 0.7;   ///< cells, between the end of a surface that was looked for and the first ring
+inline constexpr double kPlay = 0.3;  ///< cells, that its end may be moved by
+inline constexpr double kLip = 1;     ///< cells, from there to the first ring
 
 /// Whether tubes are wanted at all; without, everything is one way of finding surfaces.
 enum class Tubes { kYes, kNo };

@@ -9,15 +9,40 @@ namespace lissom {
 
 namespace {
 
-constexpr double kNearest = 0.04;  // of an edge: cuts keep away from its ends, so that no triangle is a needle
-
 /// m, height over the plane of a cut, towards the stub.
 double height(const StubCut& cut, const Vec3& x) { return cut.step * (x - cut.station.centre).dot(cut.station.t); }
 
-bool in_stub(const StubCut& cut, const Vec3& x) {
+bool near_axis(const StubCut& cut, const Vec3& x) {
   const double h = height(cut, x);
-  if (!(h > 0 && h < cut.depth)) return false;
-  return ((x - cut.station.centre) - cut.station.t * (cut.step * h)).norm() < cut.reach;
+  return std::abs(h) < cut.depth && (x - cut.station.centre - cut.station.t * (cut.step * h)).norm() < cut.reach;
+}
+
+/// m, where between -play and play no vertex is near: cuts there leave no needles, and their line is plane.
+double best_shift(std::vector<double> heights, double play) {
+  heights.push_back(-play);
+  heights.push_back(play);
+  std::sort(heights.begin(), heights.end());
+  double shift = 0, widest = 0;
+  for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+    if (heights[i] < -play || heights[i + 1] > play || heights[i + 1] - heights[i] <= widest) continue;
+    widest = heights[i + 1] - heights[i];
+    shift = (heights[i] + heights[i + 1]) / 2;
+  }
+  return shift;
+}
+
+/// Moves cuts within their play.
+std::vector<StubCut> moved(std::vector<StubCut> cuts, const std::vector<Vec3>& vertices) {
+  for (StubCut& cut : cuts) {
+    const double radius = std::hypot(cut.reach, cut.depth);
+    std::vector<double> heights;
+    for (const Vec3& x : vertices) {
+      if ((x - cut.station.centre).squaredNorm() > radius * radius || !near_axis(cut, x)) continue;
+      heights.push_back(height(cut, x));
+    }
+    cut.station.centre += cut.station.t * (cut.step * best_shift(std::move(heights), cut.play));
+  }
+  return cuts;
 }
 
 /// Which stub every vertex belongs to, or -1.
@@ -27,9 +52,8 @@ std::vector<int> stubs_of(const std::vector<StubCut>& cuts, const std::vector<Ve
     const double radius = std::hypot(cuts[c].reach, cuts[c].depth);
     const Vec3 centre = cuts[c].station.centre;
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      if ((vertices[v] - centre).squaredNorm() < radius * radius && in_stub(cuts[c], vertices[v])) {
-        stub[v] = static_cast<int>(c);
-      }
+      if ((vertices[v] - centre).squaredNorm() > radius * radius) continue;
+      if (height(cuts[c], vertices[v]) > 0 && near_axis(cuts[c], vertices[v])) stub[v] = static_cast<int>(c);
     }
   }
   return stub;
@@ -101,8 +125,7 @@ class Cutter {
     if (!is_new) return entry->second;
     const Vec3 from = surface_.vertices[stays], to = surface_.vertices[goes];
     const double h0 = height(cuts_[cut], from), h1 = height(cuts_[cut], to);
-    const double share = h1 > h0 ? std::clamp(-h0 / (h1 - h0), kNearest, 1 - kNearest) : 0.5;
-    surface_.vertices.push_back(from + share * (to - from));
+    surface_.vertices.push_back(from + (-h0 / (h1 - h0)) * (to - from));
     return entry->second;
   }
 
@@ -137,7 +160,8 @@ class Cutter {
 }  // namespace
 
 std::optional<std::vector<VertexRing>> cut_stubs(const std::vector<StubCut>& cuts, Surface& surface) {
-  Cutter cutter(cuts, surface);
+  const std::vector<StubCut> own = moved(cuts, surface.vertices);
+  Cutter cutter(own, surface);
   cutter.cut();
   return cutter.rings();
 }
