@@ -24,6 +24,18 @@ double width(const RodStation& s, SectionShape shape, const Vec3& direction) {
   return shape == SectionShape::kRectangle ? std::abs(b) + std::abs(n) : std::hypot(b, n);
 }
 
+/// From one rod to another, m, where they are nearest within a step of two places, straight as far as that.
+Vec3 nearest_difference(const RodStation& a, const RodStation& b) {
+  const Vec3 difference = b.centre - a.centre;
+  const double most_a = kStep * std::min(a.r_b, a.r_n), most_b = kStep * std::min(b.r_b, b.r_n);
+  double along_a = 0, along_b = 0;
+  for (int i = 0; i < 4; ++i) {
+    along_a = std::clamp(a.t.dot(difference + along_b * b.t), -most_a, most_a);
+    along_b = std::clamp(b.t.dot(along_a * a.t - difference), -most_b, most_b);
+  }
+  return difference + along_b * b.t - along_a * a.t;
+}
+
 /// What is near of another piece, at a place of a piece.
 struct Near {
   bool joined = false;    // some of it belongs to a joint
@@ -111,7 +123,7 @@ class Search {
   }
 
   void compare(const Place& a, const Place& b) {
-    const Vec3 between = b.station->centre - a.station->centre;
+    const Vec3 between = nearest_difference(*a.station, *b.station);
     const double distance = between.norm();
     const RodPiece &first = pieces_[a.piece], &second = pieces_[b.piece];
     const Vec3 direction = distance > 0 ? Vec3(between / distance) : Vec3::UnitX();
