@@ -19,6 +19,7 @@ void add_branches(CLI::App& app, Runner& chosen);
 void add_dynamics(CLI::App& app, Runner& chosen);
 void add_optimize(CLI::App& app, Runner& chosen);
 void add_draw(CLI::App& app, Runner& chosen);
+void add_print(CLI::App& app, Runner& chosen);
 void add_verify(CLI::App& app, Runner& chosen);
 void add_calibrate(CLI::App& app, Runner& chosen);
 void add_fit_fabric(CLI::App& app, Runner& chosen);
