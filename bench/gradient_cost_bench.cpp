@@ -28,7 +28,7 @@ Result<SpacePtr> some_of(const SpacePtr& space, int count) {
 
 /// A honeycomb of 12 by 24 cells that is pulled and hangs; radii and rest shape at four places of every rod.
 Model large_sheet() {
-  const ObjLines lines = scene_models::hexagons(0.02, 12, 24);
+  const ObjLines lines = hexagon_pattern(0.02, 12, 24);
   Model model = scene_models::sheet("large sheet", lines, 2e-3, "TPU 92A", 10);
   model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));
   inverse::Places targets;

@@ -33,7 +33,7 @@ inline Model hanging_cantilever(int nodes) {
 
 /// A sheet of hexagons hung by two opposite sides.
 inline Model hanging_honeycomb(int columns, int rows, int edges) {
-  const ObjLines lines = scene_models::hexagons(0.02, columns, rows);
+  const ObjLines lines = hexagon_pattern(0.02, columns, rows);
   Model model = scene_models::sheet("honeycomb", lines, 0.001, "TPU 92A", edges);
   model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));
   return model;

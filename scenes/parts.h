@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lissom/geometry/obj_lines.h"
+#include "lissom/geometry/line_patterns.h"
 #include "lissom/model/model.h"
 
 namespace lissom::scene_models {
@@ -16,11 +16,6 @@ Selector rod_place(std::string rod, double fraction);
 Selector box(const Vec3& low, const Vec3& high);
 
 Support hold(Selector at, SupportKind kind);
-
-/// Line networks of one cell shape that fill about width x depth (m), centred at the origin in the x-y plane.
-ObjLines hexagons(double edge, int columns, int rows);
-ObjLines squares(double edge, int columns, int rows);
-ObjLines triangles(double edge, int columns, int rows);
 
 /// A sheet of round rods along these lines (m), one rod per line.
 Model sheet(const std::string& title, const ObjLines& lines, double radius, const std::string& material, int edges);

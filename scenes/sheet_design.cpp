@@ -79,7 +79,7 @@ Model with_radii(const Model& model, const RadiiField& field) {
 }
 
 Model sheet_to_design(double stiffness) {
-  Model model = sheet("Sheet", hexagons(kEdge, 3, 6), kRadius, "TPU 92A", kEdges);
+  Model model = sheet("Sheet", hexagon_pattern(kEdge, 3, 6), kRadius, "TPU 92A", kEdges);
   model.joint_kind = JointKind::kCorotational;
   const Vec3 down = -kWeight * Vec3::UnitZ();
   model.poses = {side_pose(model, "bent lengthwise", 1, down, stiffness),

@@ -17,12 +17,12 @@ Model hung(const char* title, const ObjLines& lines, double margin) {
 
 }  // namespace
 
-Model hexagon_sheet() { return hung("Hexagon sheet hung by two sides", hexagons(0.0145, 8, 9), 1e-6); }
-Model quad_sheet() { return hung("Square sheet hung by two sides", squares(0.025, 8, 8), 1e-6); }
-Model triangle_sheet() { return hung("Triangle sheet hung by two sides", triangles(0.03, 6, 7), 1e-6); }
+Model hexagon_sheet() { return hung("Hexagon sheet hung by two sides", hexagon_pattern(0.0145, 8, 9), 1e-6); }
+Model quad_sheet() { return hung("Square sheet hung by two sides", square_pattern(0.025, 8, 8), 1e-6); }
+Model triangle_sheet() { return hung("Triangle sheet hung by two sides", triangle_pattern(0.03, 6, 7), 1e-6); }
 
 Model honeycomb() {
-  const ObjLines lines = hexagons(0.02, 8, 8);
+  const ObjLines lines = hexagon_pattern(0.02, 8, 8);
   Model model = sheet("Honeycomb pulled in its plane", lines, kRadius, "TPU 92A", 10);
   Pose pose = hanging_pose(lines, 1e-6);
   pose.name = "pulled";

@@ -66,7 +66,7 @@ Model square_frame() {
 }
 
 Model grid() {
-  const ObjLines lines = squares(0.02, 4, 4);
+  const ObjLines lines = square_pattern(0.02, 4, 4);
   Model model = sheet("Square grid bent as a plate", lines, 0.001, "TPU 92A", 10);
   Pose pose;
   pose.name = "loaded";

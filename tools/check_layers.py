@@ -21,6 +21,7 @@ RANKS = {
     "equilibrium": 4,
     "motion": 5,
     "design": 5,
+    "posing": 5,
     "fabrication": 6,
     "view": 6,
     "session": 7,

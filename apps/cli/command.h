@@ -18,6 +18,7 @@ void add_modes(CLI::App& app, Runner& chosen);
 void add_branches(CLI::App& app, Runner& chosen);
 void add_dynamics(CLI::App& app, Runner& chosen);
 void add_optimize(CLI::App& app, Runner& chosen);
+void add_design(CLI::App& app, Runner& chosen);
 void add_draw(CLI::App& app, Runner& chosen);
 void add_print(CLI::App& app, Runner& chosen);
 void add_verify(CLI::App& app, Runner& chosen);
@@ -27,6 +28,7 @@ void add_convert(CLI::App& app, Runner& chosen);
 void add_surface(CLI::App& app, Runner& chosen);
 void add_schema(CLI::App& app, Runner& chosen);
 void add_scenes(CLI::App& app, Runner& chosen);
+void add_examples(CLI::App& app, Runner& chosen);
 
 /// Exit codes besides those of verdicts.
 enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kFileTrouble = 4 };

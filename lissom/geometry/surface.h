@@ -24,8 +24,9 @@ struct SurfacePlace {
 inline Vec3 position(const Surface& surface, const SurfacePlace& place) {
   Vec3 x = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    x += place.weights[i] * surface.vertices[static_cast<std::size_t>(
-                                surface.triangles[static_cast<std::size_t>(place.triangle)][static_cast<std::size_t>(i)])];
+    x += place.weights[i] *
+         surface.vertices[static_cast<std::size_t>(
+             surface.triangles[static_cast<std::size_t>(place.triangle)][static_cast<std::size_t>(i)])];
   }
   return x;
 }

@@ -210,6 +210,7 @@ Result<OptimizedDesign> optimize_command(const Document& document, const Optimiz
   design.before = run.first_measures();
   design.after = run.problem().measures();
   design.notes = run.goals().notes;
+  design.model = run.problem().design().model;
   if (const Status s = write_results(run, document, command, design, output); !s) return s.error();
   return design;
 }

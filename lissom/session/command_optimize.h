@@ -30,6 +30,7 @@ struct OptimizedDesign {
   std::string message;  ///< the verdict in a sentence, with its reason
   int iterations = 0;
   std::vector<GoalMeasure> before, after;  ///< one per goal, in the same order
+  Model model;                             ///< the design that was found
   std::vector<std::string> notes;
   std::vector<std::filesystem::path> files;  ///< written
   std::string summary;                       ///< JSON, one line

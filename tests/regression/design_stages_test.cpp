@@ -22,7 +22,7 @@ constexpr double kPins = 5;  // N/m
 
 /// A small honeycomb that hangs by two sides, one of them held by soft pins.
 std::shared_ptr<const Design> honeycomb(double pins = kPins) {
-  const ObjLines lines = scene_models::hexagons(0.02, 2, 3);
+  const ObjLines lines = hexagon_pattern(0.02, 2, 3);
   auto design = std::make_shared<Design>();
   design->model = scene_models::sheet("honeycomb", lines, 1.8e-3, "TPU 92A", 6);
   Pose pose = scene_models::hanging_pose(lines, 1e-6);

@@ -17,7 +17,7 @@ namespace lissom::samples {
 
 /// A small honeycomb that hangs by two sides in one pose and is pulled by soft pins and a force in another.
 inline Model honeycomb(JointKind joints) {
-  const ObjLines lines = scene_models::hexagons(0.02, 2, 3);
+  const ObjLines lines = hexagon_pattern(0.02, 2, 3);
   Model model = scene_models::sheet("honeycomb", lines, 1.8e-3, "TPU 92A", 6);
   model.joint_kind = joints;
   model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));

@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeast = 1e-3, kMost = 5e-3;  // m
 
 Model sheet(JointKind joints) {
-  const ObjLines lines = scene_models::hexagons(0.02, 2, 3);
+  const ObjLines lines = hexagon_pattern(0.02, 2, 3);
   Model model = scene_models::sheet("sheet", lines, 1.5e-3, "TPU 92A", 6);
   model.joint_kind = joints;
   model.poses.push_back(scene_models::hanging_pose(lines, 1e-6));

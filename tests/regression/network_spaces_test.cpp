@@ -27,7 +27,7 @@ using samples::uneven;
 
 /// Hexagons that are not quite flat and held at both ends, so that frames, twists and clamps all matter. `axes`: of the rods.
 Model sheet(JointKind joints, MaterialAxes::Kind axes = MaterialAxes::Kind::kDirection) {
-  const ObjLines lines = scene_models::hexagons(0.02, 2, 2);
+  const ObjLines lines = hexagon_pattern(0.02, 2, 2);
   Model model = scene_models::sheet("sheet", lines, 1.5e-3, "TPU 92A", 4);
   for (Rod& rod : model.rods) {
     auto& line = std::get<Polyline>(rod.curve);
@@ -279,7 +279,7 @@ TEST(NetworkSpaces, SpectralSpacesAskForReach) {
 }
 
 TEST(NetworkSpaces, MirrorImagesAreTied) {
-  Model model = scene_models::sheet("sheet", scene_models::squares(0.02, 2, 3), 1.5e-3, "TPU 92A", 4);
+  Model model = scene_models::sheet("sheet", square_pattern(0.02, 2, 3), 1.5e-3, "TPU 92A", 4);
   const auto base = base_of(model);
   Vec3 middle = Vec3::Zero();
   Eigen::AlignedBox3d box;

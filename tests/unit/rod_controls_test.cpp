@@ -12,7 +12,7 @@ namespace {
 
 /// The Sheet of the thesis' table 5.1: hexagons, three by six, ten edges to a rod.
 Structure sheet_of_hexagons() {
-  const Model model = scene_models::sheet("sheet", scene_models::hexagons(0.02, 3, 6), 1e-3, "TPU 92A", 10);
+  const Model model = scene_models::sheet("sheet", hexagon_pattern(0.02, 3, 6), 1e-3, "TPU 92A", 10);
   Result<Structure> structure = discretize(model);
   EXPECT_TRUE(structure);
   return std::move(structure).value();

@@ -1,0 +1,58 @@
+#include "lissom/geometry/surface_decimate.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+namespace lissom {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace simplification = CGAL::Surface_mesh_simplification;
+
+/// Stops at a number of triangles, which CGAL's own conditions do not count.
+struct EnoughTriangles {
+  const Mesh* mesh;
+  std::size_t triangles;
+
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t) const {
+    return mesh->number_of_faces() <= triangles;
+  }
+};
+
+}  // namespace
+
+Surface decimate(const Surface& surface, int triangles) {
+  Mesh mesh;
+  for (const Vec3& x : surface.vertices) mesh.add_vertex({x[0], x[1], x[2]});
+  for (const std::array<int, 3>& corner : surface.triangles) {
+    const auto vertex = [&](std::size_t i) { return Mesh::Vertex_index(static_cast<Mesh::size_type>(corner[i])); };
+    mesh.add_face(vertex(0), vertex(1), vertex(2));
+  }
+  const EnoughTriangles enough{&mesh, static_cast<std::size_t>(triangles)};
+  simplification::edge_collapse(mesh, enough,
+                                CGAL::parameters::get_cost(simplification::Edge_length_cost<Mesh>())
+                                    .get_placement(simplification::LindstromTurk_placement<Mesh>()));
+  mesh.collect_garbage();
+  Surface coarse;
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    const Kernel::Point_3& x = mesh.point(v);
+    coarse.vertices.emplace_back(x.x(), x.y(), x.z());
+  }
+  for (const Mesh::Face_index face : mesh.faces()) {
+    std::array<int, 3> corner{};
+    std::size_t i = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face))) {
+      corner[i++] = static_cast<int>(static_cast<Mesh::size_type>(v));
+    }
+    coarse.triangles.push_back(corner);
+  }
+  return coarse;
+}
+
+}  // namespace lissom

@@ -1,0 +1,12 @@
+#pragma once
+/// Fewer triangles for about the same surface.
+
+#include "lissom/geometry/surface.h"
+
+namespace lissom {
+
+/// Collapses short edges first, to points that keep volume and boundary [Lindstrom, Turk 1998, through CGAL], until
+/// `triangles` are left or no edge may be collapsed. Manifold surfaces.
+Surface decimate(const Surface& surface, int triangles);
+
+}  // namespace lissom
