@@ -99,6 +99,11 @@ std::string part_name(const Structure& structure, int node) {
       if (own == node) return "the part of membrane " + membrane.name;
     }
   }
+  for (const StructureSolid& solid : structure.solids) {
+    for (const int own : solid.nodes) {
+      if (own == node) return "the part of solid " + solid.name;
+    }
+  }
   return "the part of node " + std::to_string(node);
 }
 

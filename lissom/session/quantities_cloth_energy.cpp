@@ -1,9 +1,10 @@
-// Elastic energies of membranes.
+// Elastic energies of membranes and solids.
 
 #include <algorithm>
 
 #include "lissom/mechanics/membrane_bend.h"
 #include "lissom/mechanics/membrane_stretch.h"
+#include "lissom/mechanics/solid_stretch.h"
 #include "lissom/session/cloth.h"
 #include "lissom/session/quantity_families.h"
 
@@ -59,6 +60,16 @@ double cloth_energy(const Situation& s, const std::vector<bool>& selected) {
     if (s.system->rest.hinges[h].stiffness == 0) continue;
     if (inside(structure.hinges[h].node)) sum += bend[stencil];
     ++stencil;
+  }
+  return sum;
+}
+
+double solid_energy(const Situation& s, const std::vector<bool>& selected) {
+  double sum = 0;
+  const std::vector<double> energies = term_energies(s, SolidStretch::kName);
+  for (size_t t = 0; t < s.system->structure.tetrahedra.size() && t < energies.size(); ++t) {
+    const std::array<int, 4>& nodes = s.system->structure.tetrahedra[t].node;
+    if (std::all_of(nodes.begin(), nodes.end(), [&](int node) { return selected[node]; })) sum += energies[t];
   }
   return sum;
 }

@@ -92,7 +92,7 @@ Result<double> sum_over_edges(const Measurement& m, const System& system, const 
   return sum;
 }
 
-enum EnergyPart : unsigned { kStretch = 1, kBending = 2, kTwist = 4, kMembranes = 8 };
+enum EnergyPart : unsigned { kStretch = 1, kBending = 2, kTwist = 4, kMembranes = 8, kSolids = 16 };
 
 Result<double> energy(const Measurement& m, unsigned parts) {
   const Result<const Situation*> found = m.study.situation(m.pose(), m.refine);
@@ -107,6 +107,7 @@ Result<double> energy(const Measurement& m, unsigned parts) {
     return e < 0 || (selected[system.structure.edges[e].node0] && selected[system.structure.edges[e].node1]);
   };
   double sum = parts & kMembranes ? cloth_energy(*found.value(), selected) : 0;
+  if (parts & kSolids) sum += solid_energy(*found.value(), selected);
   if (parts & kStretch) {
     for (int e = 0; e < system.edge_count(); ++e) {
       if (inside(e)) sum += stretch_energy(system, state, e);
@@ -197,7 +198,9 @@ Result<double> rod_mass(const Measurement& m) {
   return sum_over_edges(m, *system.value(), [&](int e) { return system.value()->rest.edges[e].mass; });
 }
 
-Result<double> energy_total(const Measurement& m) { return energy(m, kStretch | kBending | kTwist | kMembranes); }
+Result<double> energy_total(const Measurement& m) {
+  return energy(m, kStretch | kBending | kTwist | kMembranes | kSolids);
+}
 Result<double> energy_stretch(const Measurement& m) { return energy(m, kStretch); }
 Result<double> energy_bending(const Measurement& m) { return energy(m, kBending); }
 Result<double> energy_twist(const Measurement& m) { return energy(m, kTwist); }

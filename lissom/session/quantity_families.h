@@ -95,6 +95,8 @@ double component_or_norm(const Measurement& m, const Vec3& v);
 Vec2 present_pre_stretch(const Situation& s, const StructureMembrane& membrane);
 /// Elastic energy of the triangles and hinges of membranes whose vertices are all selected, J.
 double cloth_energy(const Situation& s, const std::vector<bool>& selected);
+/// The same of solids, of tetrahedra with all corners among the selected nodes.
+double solid_energy(const Situation& s, const std::vector<bool>& selected);
 
 /// Sums over selected nodes: forces on held positions; moments on held frames and rolls. `reaction` as in Situation.
 Vec3 force_sum(const System& system, const VecX& reaction, const std::vector<int>& nodes);

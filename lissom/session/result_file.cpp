@@ -102,8 +102,9 @@ Json summary_of(const Pose& pose, const System& system, const std::vector<std::s
   if (!system.structure.triangles.empty() && e.verdict != Verdict::kBadStart) {
     const double share = stretch_share(pose, e.state.load_factor);
     json["totals"] = totals_of(totals(system, e.state, share));
-    json["warnings"] = warnings_of(warnings);
   }
+  const bool watched = !system.structure.triangles.empty() || !system.structure.tetrahedra.empty();
+  if (watched && e.verdict != Verdict::kBadStart) json["warnings"] = warnings_of(warnings);
   json["removed_motions"] = removed;
   json["notes"] = system.structure.notes;
   return json;
