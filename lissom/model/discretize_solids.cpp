@@ -65,7 +65,7 @@ Status set_solids(Draft& draft) {
         corner[i] = structure.nodes[own.node[i]];
       }
       // Merging moves points, and may make one of two.
-      const Status status = check_tetrahedron(corner, fmt::format("{}/tetrahedra/{}", solid_place(s), t));
+      Status status = check_tetrahedron(corner, fmt::format("{}/tetrahedra/{}", solid_place(s), t));
       if (!status) return status;
       structure.tetrahedra.push_back(own);
     }

@@ -30,7 +30,7 @@ Status check_element_map(const std::vector<double>& map, std::size_t elements, c
 
 Status check_element_maps(const std::vector<double>& stiffness, const std::vector<double>& density,
                           std::size_t elements, const ElementWords& element, const std::string& where) {
-  const Status status = check_element_map(stiffness, elements, element, ZeroMultiplier::kRefused, where + "/stiffness");
+  Status status = check_element_map(stiffness, elements, element, ZeroMultiplier::kRefused, where + "/stiffness");
   if (!status) return status;
   return check_element_map(density, elements, element, ZeroMultiplier::kAllowed, where + "/density");
 }
