@@ -91,9 +91,9 @@ CubeCuts cuts_of(int which) {
 }  // namespace
 
 const std::array<CubeEdge, kCubeEdges>& cube_edges() {
-  static constexpr std::array<CubeEdge, kCubeEdges> edges{
+  static constexpr std::array<CubeEdge, kCubeEdges> kEdges{
       {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {0, 1}, {1, 1}, {4, 1}, {5, 1}, {0, 2}, {1, 2}, {2, 2}, {3, 2}}};
-  return edges;
+  return kEdges;
 }
 
 const std::vector<CubeCuts>& cube_cuts() {

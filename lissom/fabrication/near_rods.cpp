@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "lissom/fabrication/near_points.h"
+
 namespace lissom {
 
 namespace {
@@ -98,28 +100,9 @@ class Search {
   }
 
   void look() {
-    const double side = 2 * reach_ + gap_;
-    std::vector<std::pair<std::array<int, 3>, int>> entries;
-    Vec3 low = Vec3::Constant(INFINITY);
-    for (const Place& p : places_) low = low.cwiseMin(p.station->centre);
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Vec3 at = (places_[i].station->centre - low) / side;
-      entries.push_back({{int(at.x()), int(at.y()), int(at.z())}, static_cast<int>(i)});
-    }
-    std::sort(entries.begin(), entries.end());
-    const auto start = [&](int x, int y, int z) {
-      return std::lower_bound(entries.begin(), entries.end(), std::pair(std::array{x, y, z}, -1));
-    };
-    for (const auto& [cell, i] : entries) {
-      for (int x = cell[0] - 1; x <= cell[0] + 1; ++x) {
-        for (int y = cell[1] - 1; y <= cell[1] + 1; ++y) {
-          const auto end = start(x, y, cell[2] + 2);
-          for (auto it = start(x, y, cell[2] - 1); it != end; ++it) {
-            if (it->second > i) compare(places_[i], places_[it->second]);
-          }
-        }
-      }
-    }
+    std::vector<Vec3> centres;
+    for (const Place& p : places_) centres.push_back(p.station->centre);
+    for_near_points(centres, 2 * reach_ + gap_, [&](int i, int j) { compare(places_[i], places_[j]); });
   }
 
   void compare(const Place& a, const Place& b) {

@@ -42,7 +42,7 @@ std::vector<PrintFinding> near_findings(const Structure& structure, const std::v
   std::vector<PrintFinding> findings;
   for (const NearRods& near : near_rods(pieces, std::max(process.gap, cell))) {
     const std::string &first = structure.rods[near.rod0].name, &second = structure.rods[near.rod1].name;
-    const std::string rods = near.rod0 == near.rod1 ? first + " and itself" : first + " and " + second;
+    const std::string rods = fmt::format("{} and {}", first, near.rod0 == near.rod1 ? "itself" : second);
     const bool touch = near.gap <= 0;
     PrintFinding finding{
         Weight::kError, touch ? "rods touch" : "rods are close", print_place(rods, near.place), near.gap, {}};

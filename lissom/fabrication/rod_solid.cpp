@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <utility>
 
 #include "lissom/fabrication/contour.h"
@@ -97,7 +98,7 @@ class Maker {
     }
     if (whole) {
       if (station(piece, span.last).n.dot(station(piece, span.first).n) < 0) {
-        for (double& angle : first.angles) angle += M_PI;
+        for (double& angle : first.angles) angle += std::numbers::pi;
       }
       add_band(before, first, surface_);
       return;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <numeric>
+
+#include "lissom/fabrication/near_points.h"
 
 namespace lissom {
 
@@ -77,34 +78,16 @@ bool near(const std::vector<RodPiece>& pieces, const Place& a, const Place& b) {
 
 /// Calls visit(i, j) for pairs of places near each other.
 template <class Visit>
-void for_near_pairs(const std::vector<RodPiece>& pieces, const std::vector<Place>& places, const Visit& visit) {
+void for_near_places(const std::vector<RodPiece>& pieces, const std::vector<Place>& places, const Visit& visit) {
   double largest = 0;
-  Vec3 low = Vec3::Constant(INFINITY);
+  std::vector<Vec3> centres;
   for (const Place& p : places) {
     largest = std::max(largest, p.reach + p.margin);
-    low = low.cwiseMin(p.centre);
+    centres.push_back(p.centre);
   }
-  const double side = 2 * largest;
-  std::vector<std::pair<std::array<int, 3>, int>> entries;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3 at = (places[i].centre - low) / side;
-    entries.push_back({{int(at.x()), int(at.y()), int(at.z())}, static_cast<int>(i)});
-  }
-  std::sort(entries.begin(), entries.end());
-  const auto start = [&](const std::array<int, 3>& cell) {
-    return std::lower_bound(entries.begin(), entries.end(), std::pair(cell, -1));
-  };
-  for (const auto& [cell, i] : entries) {
-    for (int x = cell[0] - 1; x <= cell[0] + 1; ++x) {
-      for (int y = cell[1] - 1; y <= cell[1] + 1; ++y) {
-        const auto end = start({x, y, cell[2] + 2});
-        for (auto it = start({x, y, cell[2] - 1}); it != end; ++it) {
-          const int j = it->second;
-          if (j > i && near(pieces, places[i], places[j])) visit(i, j);
-        }
-      }
-    }
-  }
+  for_near_points(centres, 2 * largest, [&](int i, int j) {
+    if (near(pieces, places[i], places[j])) visit(i, j);
+  });
 }
 
 /// Begins a closed piece at another of its stations; behind the old seam axes may have to turn by half a turn.
@@ -197,7 +180,7 @@ class Planner {
   void find_free(Tubes tubes) {
     for (const RodPiece& piece : pieces_) free_.emplace_back(piece.stations.size(), tubes == Tubes::kYes);
     const std::vector<Place> places = places_of(pieces_, cells_);
-    for_near_pairs(pieces_, places, [&](int i, int j) {
+    for_near_places(pieces_, places, [&](int i, int j) {
       free_[places[i].piece][places[i].station] = false;
       free_[places[j].piece][places[j].station] = false;
     });
@@ -241,7 +224,7 @@ class Planner {
       count += static_cast<int>(piece.stations.size());
     }
     Sets sets(static_cast<std::size_t>(count));
-    for_near_pairs(pieces_, places_of(pieces_, cells_), [&](int i, int j) { sets.unite(i, j); });
+    for_near_places(pieces_, places_of(pieces_, cells_), [&](int i, int j) { sets.unite(i, j); });
     for (const Rest& r : rests_) {
       for (int i = r.first; i < r.last; ++i) sets.unite(place(r.piece, i), place(r.piece, i + 1));
       const int last = static_cast<int>(pieces_[r.piece].stations.size()) - 1;
