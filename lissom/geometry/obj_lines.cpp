@@ -1,40 +1,18 @@
 #include "lissom/geometry/obj_lines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+
+#include "lissom/geometry/text_words.h"
 
 namespace lissom {
 
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-/// Takes the next word off the front of `line`; empty at the end.
-std::string_view next_word(std::string_view& line) {
-  size_t begin = 0;
-  while (begin < line.size() && is_space(line[begin])) ++begin;
-  size_t end = begin;
-  while (end < line.size() && !is_space(line[end])) ++end;
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
-
-/// A word as it may be shown to people: short and printable.
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
-  return word.size() > 24 ? text + "..." : text;
-}
-
-bool read_number(std::string_view word, double& value) {
-  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
-}
+/// As read_number, but finite.
+bool read_coordinate(std::string_view word, double& value) { return read_number(word, value) && std::isfinite(value); }
 
 class Reader {
  public:
@@ -63,15 +41,12 @@ class Reader {
 
  private:
   std::string_view take_line() {
-    const size_t end = std::min(text_.find('\n'), text_.size());
-    const std::string_view line = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
     ++line_;
-    return line;
+    return next_line(text_);
   }
 
   static bool continues(std::string_view line) {
-    while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
     return !line.empty() && line.back() == '\\';
   }
 
@@ -97,8 +72,9 @@ class Reader {
         return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("the point has {} coordinates", i),
                       "give three");
       }
-      if (!read_number(word, p(i))) {
-        return refuse(ErrorCode::kSyntax, statement_line_, fmt::format("\"{}\" is not a finite number", shown(word)),
+      if (!read_coordinate(word, p(i))) {
+        return refuse(ErrorCode::kSyntax, statement_line_,
+                      fmt::format("\"{}\" is not a finite number", shown_word(word)),
                       "write coordinates such as 1.5 or -2e-3");
       }
     }
@@ -112,15 +88,14 @@ class Reader {
     for (std::string_view word = next_word(line); !word.empty(); word = next_word(line), ++count) {
       const std::string_view number = word.substr(0, word.find('/'));
       long long index = 0;
-      const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
-      if (error != std::errc() || end != number.data() + number.size() || number.empty()) {
+      if (!read_integer(number, index)) {
         return refuse(ErrorCode::kSyntax, statement_line_,
-                      fmt::format("\"{}\" is not the number of a point", shown(word)),
+                      fmt::format("\"{}\" is not the number of a point", shown_word(word)),
                       "lines list points by number: l 1 2");
       }
       if (index < 0) index += static_cast<long long>(lines_.points.size()) + 1;
       if (index < 1 || index > kMostPoints) {
-        return refuse(ErrorCode::kRange, statement_line_, fmt::format("there is no point {}", shown(number)),
+        return refuse(ErrorCode::kRange, statement_line_, fmt::format("there is no point {}", shown_word(number)),
                       fmt::format("{} points come before this line; the first one has number 1", lines_.points.size()));
       }
       if (count > 0) {

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
+#include <optional>
+#include <set>
 
 #include "lissom/geometry/surface_mending.h"
 
@@ -9,29 +11,41 @@ namespace lissom {
 
 namespace {
 
-constexpr int kMostHoleSides = 64;  // a lid takes the cube of it
-constexpr int kMostHolesClosed = 2000;
+constexpr std::size_t kMostHoleSides = 64;  // a lid takes the cube of it
 
 std::uint64_t edge_key(int a, int b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
 }
 
-std::vector<std::uint64_t> edge_keys(const Triangles& triangles) {
-  std::vector<std::uint64_t> keys;
-  keys.reserve(3 * triangles.size());
-  for (const auto& t : triangles) {
-    for (int i = 0; i < 3; ++i) keys.push_back(edge_key(t[i], t[(i + 1) % 3]));
+/// The edges of a surface, and of the lids on it.
+class Edges {
+ public:
+  explicit Edges(const Triangles& triangles) {
+    keys_.reserve(3 * triangles.size());
+    for (const auto& t : triangles) {
+      for (int i = 0; i < 3; ++i) keys_.push_back(edge_key(t[i], t[(i + 1) % 3]));
+    }
+    std::sort(keys_.begin(), keys_.end());
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
-}
+  void add(const Triangles& lid) {
+    for (const auto& t : lid) {
+      for (int i = 0; i < 3; ++i) added_.insert(edge_key(t[i], t[(i + 1) % 3]));
+    }
+  }
+  bool has(int a, int b) const {
+    return std::binary_search(keys_.begin(), keys_.end(), edge_key(a, b)) || added_.count(edge_key(a, b)) > 0;
+  }
+
+ private:
+  std::vector<std::uint64_t> keys_;
+  std::set<std::uint64_t> added_;
+};
 
 /// The triangulation of a ring of vertices with the least area [Barequet, Sharir 1995], without thin triangles and without
 /// edges that the surface has already. Empty when there is none.
 class Lid {
  public:
-  Lid(const Mending& mending, const std::vector<std::uint64_t>& edges, std::vector<int> ring)
+  Lid(const Mending& mending, const Edges& edges, std::vector<int> ring)
       : mending_(mending), edges_(edges), ring_(std::move(ring)), n_(static_cast<int>(ring_.size())) {}
 
   Triangles triangles() {
@@ -54,7 +68,7 @@ class Lid {
     double& best = area_[at(i, j)];
     best = INFINITY;
     const bool whole = i == 0 && j == n_ - 1;
-    if (!whole && std::binary_search(edges_.begin(), edges_.end(), edge_key(ring_[i], ring_[j]))) return;
+    if (!whole && edges_.has(ring_[i], ring_[j])) return;
     for (int m = i + 1; m < j; ++m) {
       const double parts = area_[at(i, m)] + area_[at(m, j)];
       if (parts >= best || mending_.is_thin(place(i), place(m), place(j))) continue;
@@ -74,7 +88,7 @@ class Lid {
   }
 
   const Mending& mending_;
-  const std::vector<std::uint64_t>& edges_;
+  const Edges& edges_;
   std::vector<int> ring_;
   int n_;
   std::vector<double> area_;  // m^2, of the best lid over a part, by its ends
@@ -108,30 +122,50 @@ std::string name_of(const Hole& hole) {
 
 }  // namespace
 
+namespace {
+
+/// A ring that meets itself in a vertex has no lid.
+bool is_simple(std::vector<int> ring) {
+  std::sort(ring.begin(), ring.end());
+  return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
+}
+
+std::vector<Hole> small_holes(const Mending& mending) {
+  std::vector<Hole> holes;
+  for (const auto& loop : rim_loops(mending.surface.triangles, side_mates(mending.surface.triangles))) {
+    Hole hole = hole_of(mending.surface, loop);
+    if (hole.diagonal <= mending.options.small_hole * mending.extent) holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
+}  // namespace
+
 void close_small_holes(Mending& mending) {
-  Surface& surface = mending.surface;
-  const std::vector<std::vector<int>> loops = rim_loops(surface.triangles, side_mates(surface.triangles));
+  if (mending.options.holes != SurfaceRepairOptions::Holes::kFill) return;
+  Triangles& triangles = mending.surface.triangles;
   SurfaceNote closed{.what = "small holes", .places = {}, .done = "closed"};
-  SurfaceNote kept{.what = "small holes", .places = {}, .done = "kept as rims (--fill-holes closes them)"};
-  SurfaceNote difficult{.what = "small holes that no lid fits on", .places = {}, .done = "kept as rims"};
-  const bool fill = mending.options.holes == SurfaceRepairOptions::Holes::kFill;
-  std::vector<std::uint64_t> edges;
-  for (const std::vector<int>& loop : loops) {
-    const Hole hole = hole_of(surface, loop);
-    if (hole.diagonal > mending.options.small_hole * mending.extent) continue;
-    if (!fill) {
-      kept.add(name_of(hole), hole.middle);
-      continue;
-    }
-    if (edges.empty()) edges = edge_keys(surface.triangles);
-    const bool possible = hole.ring.size() <= kMostHoleSides && closed.count < kMostHolesClosed;
-    const Triangles lid = possible ? Lid(mending, edges, hole.ring).triangles() : Triangles();
-    (lid.empty() ? difficult : closed).add(name_of(hole), hole.middle);
-    surface.triangles.insert(surface.triangles.end(), lid.begin(), lid.end());
-    mending.origins.resize(surface.triangles.size(), -1);
+  std::optional<Edges> edges;
+  for (const Hole& hole : small_holes(mending)) {
+    if (hole.ring.size() > kMostHoleSides || !is_simple(hole.ring)) continue;
+    if (!edges) edges.emplace(triangles);
+    const Triangles lid = Lid(mending, *edges, hole.ring).triangles();
+    if (lid.empty()) continue;
+    closed.add(name_of(hole), hole.middle);
+    edges->add(lid);
+    triangles.insert(triangles.end(), lid.begin(), lid.end());
+    mending.origins.resize(triangles.size(), -1);
+    if (!mending.unsewn.empty()) mending.unsewn.insert(mending.unsewn.end(), lid.begin(), lid.end());
   }
   mending.note(std::move(closed));
-  mending.note(std::move(difficult), SurfaceNote::Outcome::kKept);
+}
+
+void note_small_holes(Mending& mending) {
+  const bool filled = mending.options.holes == SurfaceRepairOptions::Holes::kFill;
+  SurfaceNote kept{.what = filled ? "small holes that no lid fits on" : "small holes",
+                   .places = {},
+                   .done = filled ? "kept as rims" : "kept as rims (--fill-holes closes them)"};
+  for (const Hole& hole : small_holes(mending)) kept.add(name_of(hole), hole.middle);
   mending.note(std::move(kept), SurfaceNote::Outcome::kKept);
 }
 

@@ -59,7 +59,10 @@ void split_fans(Mending& mending);
 
 Status mend_thin_triangles(Mending& mending);
 
+/// Where options want it; also holes that meet in a vertex, before split_fans makes one of them.
 void close_small_holes(Mending& mending);
+/// Those that are there in the end.
+void note_small_holes(Mending& mending);
 
 Status look_for_crossings(Mending& mending);
 

@@ -1,6 +1,5 @@
 #include "lissom/geometry/surface_repair.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -58,10 +57,10 @@ Status mend_once(Mending& mending) {
   if (Status s = anything_left(mending); !s) return s;
   if (Status s = leave_one_piece(mending); !s) return s;
   if (Status s = turn_alike(mending); !s) return s;
+  close_small_holes(mending);
   split_fans(mending);
   if (Status s = mend_thin_triangles(mending); !s) return s;
   if (Status s = anything_left(mending); !s) return s;
-  close_small_holes(mending);
   turn_outward(mending);
   return {};
 }
@@ -70,13 +69,10 @@ Status mend_once(Mending& mending) {
 Status mend_until_sound(Mending& mending) {
   constexpr int kRounds = 5;  // the second finds nothing in nearly all surfaces
   for (int round = 0; round < kRounds; ++round) {
-    std::erase_if(mending.notes, [](const SurfaceNote& n) { return n.outcome == SurfaceNote::Outcome::kKept; });
     const std::size_t before = mending.notes.size();
     mending.extent = largest_extent(mending.surface);
     if (Status s = mend_once(mending); !s) return s;
-    const bool mended = std::any_of(mending.notes.begin() + static_cast<std::ptrdiff_t>(before), mending.notes.end(),
-                                    [](const auto& n) { return n.outcome == SurfaceNote::Outcome::kMended; });
-    if (!mended) return {};
+    if (mending.notes.size() == before) return {};
   }
   const SurfaceNote& last = mending.notes.back();
   return Error{ErrorCode::kGeometry, mending.where,
@@ -99,6 +95,7 @@ Result<RepairedSurface> repair_surface(Surface surface, const SurfaceRepairOptio
   if (Status s = check_numbers(mending); !s) return s.error();
   note_unused(mending);
   if (Status s = mend_until_sound(mending); !s) return s.error();
+  note_small_holes(mending);
   if (Status s = look_for_crossings(mending); !s) return s.error();
   return RepairedSurface{compacted(mending.surface), std::move(mending.notes)};
 }

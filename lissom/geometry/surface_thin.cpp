@@ -102,6 +102,11 @@ class ThinTriangles {
     return found;
   }
 
+  /// So many triangles at a corner that editing them one by one would take forever.
+  bool crowded(int t) const {
+    return std::any_of(triangles_[t].begin(), triangles_[t].end(), [&](int v) { return at_[v].size() > kMostAround; });
+  }
+
   bool on_rim(int v) { return neighbours(v).size() != at_[v].size(); }
 
   int opposite(int t, int a, int b) const {
@@ -116,7 +121,7 @@ class ThinTriangles {
   /// Merges the ends of side i of t, at the place of the one whose neighbours bear it.
   bool collapse(int t, int i) {
     const int a = triangles_[t][i], b = triangles_[t][(i + 1) % 3];
-    if (at_[a].size() + at_[b].size() > kMostAround || !may_merge(a, b)) return false;
+    if (crowded(t) || !may_merge(a, b)) return false;
     const bool b_first = on_rim(b) && !on_rim(a);
     for (const auto& [kept, gone] :
          {b_first ? std::pair(b, a) : std::pair(a, b), b_first ? std::pair(a, b) : std::pair(b, a)}) {
@@ -140,6 +145,7 @@ class ThinTriangles {
     for (const int t : both) {
       // A triangle that would be left hanging by its tip, or laid on another one.
       const int c = opposite(t, a, b);
+      if (at_[c].size() > kMostAround) return false;
       if (between(a, c).size() < 2 && between(b, c).size() < 2) return false;
       if (both.size() == 2) {
         const int d = opposite(t == both[0] ? both[1] : both[0], a, b);
@@ -185,13 +191,16 @@ class ThinTriangles {
 
   void remove(int t) {
     dropped_[t] = 1;
-    for (const int v : triangles_[t]) std::erase(at_[v], t);
+    for (const int v : triangles_[t]) {
+      work_left_ -= static_cast<long long>(at_[v].size());
+      std::erase(at_[v], t);
+    }
   }
 
   /// Side i of t and its neighbour's triangle give way to the other diagonal; at a rim the triangle goes.
   bool exchange(int t, int i) {
     const int a = triangles_[t][i], b = triangles_[t][(i + 1) % 3], c = triangles_[t][(i + 2) % 3];
-    if (at_[a].size() + at_[b].size() + at_[c].size() > kMostAround) return false;
+    if (crowded(t)) return false;
     const std::vector<int> both = between(a, b);
     if (both.size() == 1) return leave_out_at_rim(t, a, b, c);
     const int other = both[0] == t ? both[1] : both[0], d = opposite(other, a, b);
@@ -223,7 +232,7 @@ class ThinTriangles {
     return true;
   }
 
-  static constexpr std::size_t kMostAround = 10'000;  // triangles at the vertices of an edit
+  static constexpr std::size_t kMostAround = 10'000;  // triangles at a corner that is edited
 
   Mending& mending_;
   Triangles& triangles_;

@@ -1,6 +1,7 @@
 #include "lissom/geometry/surface_topology.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lissom/core/assert.h"
 
@@ -57,23 +58,54 @@ SurfacePieces surface_pieces(const std::vector<int>& mates) {
   return pieces;
 }
 
+std::vector<int> corner_fans(const std::vector<int>& mates) {
+  std::vector<int> root(mates.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int c) {
+    while (root[c] != c) c = root[c] = root[root[c]];
+    return c;
+  };
+  const auto next = [](int side) { return side % 3 == 2 ? side - 2 : side + 1; };
+  for (int s = 0; s < static_cast<int>(mates.size()); ++s) {
+    if (mates[s] < s) continue;
+    // Where one side starts the other ends.
+    for (const auto& [a, b] : {std::pair(s, next(mates[s])), std::pair(next(s), mates[s])}) {
+      const int low = std::min(find(a), find(b));
+      root[find(a)] = low;
+      root[find(b)] = low;
+    }
+  }
+  for (int c = 0; c < static_cast<int>(root.size()); ++c) root[c] = find(c);
+  return root;
+}
+
 std::vector<std::vector<int>> rim_loops(const Triangles& triangles, const std::vector<int>& mates) {
   std::vector<std::pair<int, int>> leaving;  // vertex, its rim side
   for (int s = 0; s < static_cast<int>(mates.size()); ++s) {
     if (mates[s] < 0) leaving.emplace_back(side_start(triangles, s), s);
   }
+  if (leaving.empty()) return {};
   std::sort(leaving.begin(), leaving.end());
+  const std::vector<int> fans = corner_fans(mates);
+  const auto next = [&](int side) {
+    const int end = side_end(triangles, side), fan = fans[side % 3 == 2 ? side - 2 : side + 1];
+    const auto first = std::lower_bound(leaving.begin(), leaving.end(), std::pair(end, -1));
+    auto last = first;
+    while (last != leaving.end() && last->first == end) ++last;
+    for (auto found = first; found != last; ++found) {
+      if ((fans[found->second] == fan) != (last - first == 2)) return static_cast<std::size_t>(found - leaving.begin());
+    }
+    LISSOM_ASSERT(false);  // every fan that a rim reaches is left by one
+    return leaving.size();
+  };
   std::vector<char> taken(leaving.size(), 0);
   std::vector<std::vector<int>> loops;
   for (std::size_t first = 0; first < leaving.size(); ++first) {
     if (taken[first]) continue;
     loops.emplace_back();
-    for (std::size_t at = first; !taken[at];) {
+    for (std::size_t at = first; !taken[at]; at = next(leaving[at].second)) {
       taken[at] = 1;
       loops.back().push_back(leaving[at].second);
-      const int next = side_end(triangles, leaving[at].second);
-      at = std::lower_bound(leaving.begin(), leaving.end(), std::pair(next, -1)) - leaving.begin();
-      LISSOM_ASSERT(at < leaving.size() && leaving[at].first == next);
     }
   }
   return loops;

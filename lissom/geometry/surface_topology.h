@@ -28,8 +28,12 @@ struct SurfacePieces {
 };
 SurfacePieces surface_pieces(const std::vector<int>& mates);
 
-/// Closed rings of rim sides, each in the order of its triangles, of a surface whose neighbours are turned alike and whose
-/// vertices have one fan of triangles each.
+/// Fan of each corner (3 t + i): the first corner that sides connect it to around its vertex. Neighbours are turned alike.
+std::vector<int> corner_fans(const std::vector<int>& mates);
+
+/// Closed rings of rim sides, each in the order of its triangles, of a surface whose neighbours are turned alike. Where two
+/// fans meet in a vertex a ring goes on along the other one, around the hole between them; where there are more, along
+/// its own.
 std::vector<std::vector<int>> rim_loops(const Triangles& triangles, const std::vector<int>& mates);
 
 /// What people ask of a surface. For surfaces as repair_surface returns them.

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <numeric>
 
 #include "lissom/geometry/surface_mending.h"
 
@@ -87,29 +86,6 @@ void turn_outward(Mending& mending) {
 
 namespace {
 
-/// Fan of each corner (3 t + i): the first corner that sides connect it to, around its vertex.
-std::vector<int> fans_of(const Triangles& triangles) {
-  const std::vector<int> mates = side_mates(triangles);
-  std::vector<int> root(mates.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int c) {
-    while (root[c] != c) c = root[c] = root[root[c]];
-    return c;
-  };
-  const auto next = [](int side) { return side % 3 == 2 ? side - 2 : side + 1; };
-  for (int s = 0; s < static_cast<int>(mates.size()); ++s) {
-    if (mates[s] < s) continue;
-    // Neighbours are turned alike by now: where one side starts the other ends.
-    for (const auto& [a, b] : {std::pair(s, next(mates[s])), std::pair(next(s), mates[s])}) {
-      const int low = std::min(find(a), find(b));
-      root[find(a)] = low;
-      root[find(b)] = low;
-    }
-  }
-  for (int c = 0; c < static_cast<int>(root.size()); ++c) root[c] = find(c);
-  return root;
-}
-
 /// Vertices that were in use before sewing and are not any more.
 void note_sewn(Mending& mending) {
   std::vector<char> used(mending.surface.vertices.size(), 0), before(used.size(), 0);
@@ -130,7 +106,7 @@ void note_sewn(Mending& mending) {
 
 void split_fans(Mending& mending) {
   Surface& surface = mending.surface;
-  const std::vector<int> fans = fans_of(surface.triangles);
+  const std::vector<int> fans = corner_fans(side_mates(surface.triangles));
   std::vector<int> first_fan(surface.vertices.size(), -1);  // by vertex
   for (std::size_t c = 0; c < fans.size(); ++c) {
     int& first = first_fan[surface.triangles[c / 3][c % 3]];

@@ -6,48 +6,21 @@
 #include <gtest/gtest.h>
 
 #include "lissom/geometry/surface_topology.h"
-#include "tests/unit/surface_checks.h"
+#include "tests/unit/surface_mended.h"
 #include "tests/unit/surface_samples.h"
 
 namespace lissom {
 namespace {
 
 using samples::icosphere;
+using samples::mend;
+using samples::Mended;
+using samples::refuse;
 using samples::sheet;
-using samples::soundness;
+using samples::texts;
 using Options = SurfaceRepairOptions;
-using Outcome = SurfaceNote::Outcome;
 
 constexpr double kPi = 3.141592653589793;
-
-struct Mended {
-  Surface surface;
-  std::vector<SurfaceNote> notes;
-};
-
-/// Mends and checks what every mended surface promises.
-Mended mend(const Surface& surface, const Options& options = {}) {
-  const Result<RepairedSurface> repaired = repair_surface(surface, options, "thing");
-  EXPECT_TRUE(repaired) << repaired.error().text();
-  if (!repaired) return {};
-  EXPECT_EQ(soundness(repaired.value().surface).fault, "");
-  return {repaired.value().surface, repaired.value().notes};
-}
-
-Error refuse(const Surface& surface, const Options& options = {}) {
-  const Result<RepairedSurface> repaired = repair_surface(surface, options, "thing");
-  EXPECT_FALSE(repaired);
-  if (repaired) return {};
-  EXPECT_FALSE(repaired.error().where.empty() || repaired.error().message.empty() || repaired.error().hint.empty());
-  return repaired.error();
-}
-
-/// The texts of all notes, one per line.
-std::string texts(const std::vector<SurfaceNote>& notes) {
-  std::string all;
-  for (const SurfaceNote& note : notes) all += note.text() + "\n";
-  return all;
-}
 
 void expect_same(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.vertices, b.vertices);
@@ -238,97 +211,6 @@ TEST(SurfaceRepair, VerticesOfSeveralFansAreSplit) {
   EXPECT_GE(mended.surface.vertices.size(), before);
   EXPECT_NE(texts(mended.notes).find("only touch: made one for each part (vertex 24"), std::string::npos)
       << texts(mended.notes);
-}
-
-TEST(SurfaceRepair, NeedlesAndCapsGo) {
-  // A needle: an edge of the ball is split by a vertex next to its end. A cap: a vertex right on an edge, and the
-  // triangle between it and the edge.
-  const Surface whole = icosphere(2, 0.1);
-  const auto split_edge = [&](double at, bool both_sides) {
-    Surface s = whole;
-    const auto [a, b, c] = whole.triangles[50];
-    const int m = static_cast<int>(s.vertices.size());
-    s.vertices.emplace_back((1 - at) * s.vertices[a] + at * s.vertices[b]);
-    s.triangles[50] = {m, b, c};
-    s.triangles.push_back({a, m, c});
-    for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        if (whole.triangles[t][i] != b || whole.triangles[t][(i + 1) % 3] != a) continue;
-        const int d = whole.triangles[t][(i + 2) % 3];
-        if (both_sides) {
-          s.triangles[t] = {b, m, d};
-          s.triangles.push_back({m, a, d});
-        } else {
-          s.triangles.push_back({a, b, m});
-        }
-      }
-    }
-    return s;
-  };
-  const Mended needles = mend(split_edge(1e-7, true));
-  EXPECT_EQ(needles.surface.triangles.size(), 320U);
-  EXPECT_NE(texts(needles.notes).find("needles"), std::string::npos) << texts(needles.notes);
-  const Mended caps = mend(split_edge(0.4, false));
-  EXPECT_EQ(caps.surface.triangles.size(), 322U);
-  EXPECT_NE(texts(caps.notes).find("1 caps"), std::string::npos) << texts(caps.notes);
-  EXPECT_EQ(surface_facts(caps.surface).loops, 0);
-  EXPECT_NEAR(surface_facts(caps.surface).volume, surface_facts(whole).volume, 1e-15);
-}
-
-TEST(SurfaceRepair, CapsAtARimGo) {
-  Surface s = sheet(5, 5, 0.1);
-  const int m = static_cast<int>(s.vertices.size());
-  s.vertices.emplace_back(0.5 * (s.vertices[0] + s.vertices[6]) + Vec3(0, 1e-9, 0));
-  ASSERT_EQ(s.triangles[0], (std::array<int, 3>{0, 6, 7}));
-  s.triangles[0] = {m, 6, 7};
-  s.triangles.push_back({0, m, 7});
-  s.triangles.push_back({0, 6, m});
-  const Mended mended = mend(s);
-  EXPECT_EQ(mended.surface.triangles.size(), 51U) << texts(mended.notes);
-  EXPECT_EQ(surface_facts(mended.surface).loops, 1);
-}
-
-TEST(SurfaceRepair, SmallHolesAreFilledWhenAllowedAndLargeOnesStay) {
-  Surface s = icosphere(4, 0.1);
-  const double volume = surface_facts(s).volume;
-  std::erase_if(s.triangles, [](const auto& t) { return t[0] == 0 || t[1] == 0 || t[2] == 0; });
-  const Options fill{.holes = Options::Holes::kFill, .small_hole = 0.1};
-  const Mended kept = mend(s, {.small_hole = 0.1});
-  EXPECT_EQ(surface_facts(kept.surface).loops, 1);
-  ASSERT_EQ(kept.notes.size(), 2U) << texts(kept.notes);
-  EXPECT_EQ(kept.notes[1].outcome, Outcome::kKept);
-  EXPECT_NE(kept.notes[1].text().find("--fill-holes"), std::string::npos);
-  const Mended filled = mend(s, fill);
-  EXPECT_EQ(surface_facts(filled.surface).loops, 0);
-  EXPECT_NEAR(surface_facts(filled.surface).volume, volume, 1e-3 * volume);
-  EXPECT_NE(texts(filled.notes).find("1 small holes: closed (a hole of 5 sides"), std::string::npos)
-      << texts(filled.notes);
-  std::erase_if(s.triangles, [&](const auto& t) { return s.vertices[t[0]].z() > 0.05; });
-  EXPECT_EQ(surface_facts(mend(s, fill).surface).loops, 1) << "the rim of an open surface";
-}
-
-TEST(SurfaceRepair, CrossingsAreNamedAndKeptOrRefused) {
-  Surface s = icosphere(2, 0.1);
-  s.vertices[0] *= -1.5;  // a spike through the other side
-  const Mended mended = mend(s);
-  ASSERT_EQ(mended.notes.size(), 1U) << texts(mended.notes);
-  EXPECT_EQ(mended.notes[0].outcome, Outcome::kKept);
-  EXPECT_NE(texts(mended.notes).find("pairs of triangles that cross"), std::string::npos) << texts(mended.notes);
-  const Error error = refuse(s, {.crossings = Options::Crossings::kRefuse});
-  EXPECT_NE(error.message.find("crosses or touches itself in"), std::string::npos);
-  EXPECT_NE(error.where.find("thing/triangles/"), std::string::npos);
-}
-
-TEST(SurfaceRepair, LargeSurfacesTakeSeconds) {
-  const Surface s = icosphere(7, 0.1);  // 327,680 triangles
-  const std::clock_t start = std::clock();
-  EXPECT_TRUE(repair_surface(s, {}, "thing"));
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  constexpr double kLongest = 60;
-#else
-  constexpr double kLongest = 6;
-#endif
-  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, kLongest);
 }
 
 }  // namespace
