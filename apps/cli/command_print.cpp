@@ -58,9 +58,9 @@ Status read_options(Arguments& arguments) {
   };
   PrintCommand& command = arguments.command;
   std::optional<double> tolerance;
-  if (const Status s = length(arguments.tolerance, "--tolerance", tolerance); !s) return s;
-  if (const Status s = length(arguments.diameter, "--min-diameter", command.diameter); !s) return s;
-  if (const Status s = length(arguments.gap, "--gap", command.gap); !s) return s;
+  if (Status s = length(arguments.tolerance, "--tolerance", tolerance); !s) return s;
+  if (Status s = length(arguments.diameter, "--min-diameter", command.diameter); !s) return s;
+  if (Status s = length(arguments.gap, "--gap", command.gap); !s) return s;
   command.solid.tolerance = tolerance.value_or(command.solid.tolerance);
   if (!arguments.bed.empty()) {
     const Result<Vec3> bed = bed_of(arguments.bed);
