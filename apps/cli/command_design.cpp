@@ -6,7 +6,11 @@
 #include <fmt/format.h>
 
 #include "apps/cli/command.h"
+#include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
+#include "lissom/core/file_io.h"
+#include "lissom/model/document.h"
+#include "lissom/model/rod_mesh_document.h"
 #include "lissom/session/design_run.h"
 
 namespace lissom::cli {
@@ -28,24 +32,51 @@ void print_project(const DesignedProject& done) {
   print(fmt::format("{}: {} ({} iterations)\n", design_verdict_info(done.design.verdict).name, done.design.message,
                     done.design.iterations));
   for (const PoseOutcome& pose : done.poses) {
-    print(fmt::format("  {}{}: deformed by {}, misses by {}, at the start {}\n", pose.name,
-                      pose.held_back ? " (held back)" : "", in_mm(pose.deformation), in_mm(pose.after),
+    print(fmt::format("  {}{}: moves by {} ({} at most), misses by {}, at the start {}\n", pose.name,
+                      pose.held_back ? " (held back)" : "", in_mm(pose.moved), in_mm(pose.farthest), in_mm(pose.after),
                       in_mm(pose.before)));
   }
+  if (!done.poses.empty()) {
+    print(fmt::format("  all designed poses: miss by {}, at the start {}\n", in_mm(done.rms_after(false)),
+                      in_mm(done.rms_before(false))));
+  }
   for (const std::string& note : done.notes) print("  note: " + note + "\n");
+  if (done.print) {
+    for (const PrintedObject& o : done.print->objects) {
+      print(
+          fmt::format("  to be printed in {}: {:.1f} cm\u00b3, {:.1f} g\n", o.material, 1e6 * o.volume, 1e3 * o.mass));
+    }
+    for (const PrintFinding& f : done.print->findings) {
+      print(fmt::format("  {}: {} at {}; {}\n", f.weight == PrintFinding::Weight::kError ? "error" : "warning", f.what,
+                        f.where, f.remedy));
+    }
+  }
   for (const std::filesystem::path& file : done.files) print("  wrote " + file.string() + "\n");
 }
 
-int design(const Arguments& arguments) {
-  const Result<Project> project = read_project_file(arguments.file);
-  if (!project) return report(project.error(), arguments.file);
+Result<DesignedProject> designed(const Arguments& arguments, const Context& context) {
   DesignCommand command;
-  command.folder = arguments.folder.empty() ? project.value().folder / "out" : std::filesystem::path(arguments.folder);
   if (arguments.resume) command.begin = DesignCommand::Begin::kResume;
   command.line = "lissom design " + arguments.file + (arguments.folder.empty() ? "" : " -o " + arguments.folder);
   command.version = LISSOM_VERSION;
+  const Result<std::string> text = read_file(arguments.file, kLargestDocument);
+  if (text.ok() && is_project(text.value())) {
+    const Result<Project> project = read_project_file(arguments.file);
+    if (!project) return project.error();
+    command.folder =
+        arguments.folder.empty() ? project.value().folder / "out" : std::filesystem::path(arguments.folder);
+    return design_command(project.value(), command, context);
+  }
+  const Result<Document> document = read_input(arguments.file);
+  if (!document) return document.error();
+  command.folder =
+      arguments.folder.empty() ? document.value().default_output() : std::filesystem::path(arguments.folder);
+  return design_command(document.value(), command, context);
+}
+
+int design(const Arguments& arguments) {
   Run run(arguments.run);
-  const Result<DesignedProject> done = design_command(project.value(), command, run.context());
+  const Result<DesignedProject> done = designed(arguments, run.context());
   run.clear_line();
   if (!done) {
     const int code = report(done.error(), arguments.file);
@@ -56,6 +87,7 @@ int design(const Arguments& arguments) {
   } else {
     print_project(done.value());
   }
+  if (done.value().print && done.value().print->errors > 0) return kFailed;
   return exit_code(done.value().design.verdict);
 }
 

@@ -9,7 +9,7 @@ namespace lissom {
 
 namespace {
 
-constexpr std::array<DesignMethodInfo, 6> kMethods = {{
+constexpr std::array<DesignMethodInfo, 7> kMethods = {{
     {DesignMethod::kGaussNewton, "gauss_newton", "products of first derivatives; slow where residuals stay large"},
     {DesignMethod::kBfgs, "bfgs", "second derivatives from changes of the gradient alone"},
     {DesignMethod::kStructuredBfgs, "structured_bfgs",
@@ -18,6 +18,8 @@ constexpr std::array<DesignMethodInfo, 6> kMethods = {{
      "the same by another update, which may follow negative curvature"},
     {DesignMethod::kLevenbergMarquardt, "levenberg_marquardt", "damped products of first derivatives"},
     {DesignMethod::kNewton, "newton", "exact second derivatives, as products"},
+    {DesignMethod::kGaussNewtonProducts, "gauss_newton_products",
+     "products of first derivatives that are never put together: for thousands of parameters"},
 }};
 
 Error out_of_range(const char* where, const char* message, const char* hint) {
@@ -29,7 +31,7 @@ bool positive(double value) { return value > 0 && std::isfinite(value); }
 
 }  // namespace
 
-const std::array<DesignMethodInfo, 6>& design_methods() { return kMethods; }
+const std::array<DesignMethodInfo, 7>& design_methods() { return kMethods; }
 
 std::string_view design_method_name(DesignMethod method) {
   for (const DesignMethodInfo& info : kMethods) {
@@ -51,6 +53,7 @@ std::optional<SecantRule> secant_rule(DesignMethod method) {
       return SecantRule::kDennisGayWelsch;
     case DesignMethod::kLevenbergMarquardt:
     case DesignMethod::kNewton:
+    case DesignMethod::kGaussNewtonProducts:
       break;
   }
   return std::nullopt;

@@ -16,7 +16,8 @@ enum class DesignMethod {
   kStructuredBfgs,
   kDennisGayWelsch,
   kLevenbergMarquardt,
-  kNewton,  ///< exact Hessians, as products, by conjugate gradients in a trust region
+  kNewton,               ///< exact Hessians, as products, by conjugate gradients in a trust region
+  kGaussNewtonProducts,  ///< J'J as products, the same way: no matrix over the parameters, for thousands of them
 };
 
 struct DesignMethodInfo {
@@ -24,12 +25,12 @@ struct DesignMethodInfo {
   std::string_view name, meaning;
 };
 /// All methods, for documents and help.
-const std::array<DesignMethodInfo, 6>& design_methods();
+const std::array<DesignMethodInfo, 7>& design_methods();
 std::string_view design_method_name(DesignMethod method);
 /// The rule of the methods that are secant rules with a quadratic subproblem: the first four.
 std::optional<SecantRule> secant_rule(DesignMethod method);
 
-/// How steps of the secant methods are kept in hand. The other two have one way only.
+/// How steps of the secant methods are kept in hand. The others have one way only.
 enum class StepControl {
   kLineSearch,   ///< capped steps, halved until h falls [mathematics 5.4 (e), (f)]
   kTrustRegion,  ///< the cap is a radius, changed by how well the model foretold h
@@ -63,7 +64,7 @@ struct OptimizeOptions {
   int max_halvings = 10;
   /// First mu of kLevenbergMarquardt, of the diagonal of J'J.
   double first_damping = 1e-3;
-  /// Hessian products of one step of kNewton, and how far they bring the gradient of the model: to this share or, if that is
+  /// Hessian products of one step of kNewton or kGaussNewtonProducts, and how far they bring the gradient of the model: to this share or, if that is
   /// less, to the square root of the share to which the promises have come since the start.
   int max_products = 200;
   double newton_forcing = 0.1;

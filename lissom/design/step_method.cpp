@@ -147,6 +147,8 @@ std::unique_ptr<StepMethod> make_step_method(const OptimizeOptions& options) {
       return make_levenberg_marquardt();
     case DesignMethod::kNewton:
       return make_exact_newton();
+    case DesignMethod::kGaussNewtonProducts:
+      return make_gauss_newton_products();
     case DesignMethod::kGaussNewton:
     case DesignMethod::kBfgs:
     case DesignMethod::kStructuredBfgs:

@@ -78,6 +78,7 @@ std::unique_ptr<StepMethod> make_line_search();
 std::unique_ptr<StepMethod> make_trust_region();
 std::unique_ptr<StepMethod> make_levenberg_marquardt();
 std::unique_ptr<StepMethod> make_exact_newton();
+std::unique_ptr<StepMethod> make_gauss_newton_products();
 
 /// A trust region's answer to an attempt that changed h by `change` (infinity: failed) where the model had promised
 /// `predicted` > 0: accepts or rejects and sets the radius, state.cap [Nocedal & Wright 2006, 4.1].

@@ -1,5 +1,6 @@
-/// Newton's method with exact Hessians as products [mathematics 5.2], in a box-shaped trust region: bounds of the parameters and
-/// of the region are one box, so negative curvature needs no care of its own.
+/// Newton's method with exact Hessians as products [mathematics 5.2], and Gauss-Newton's with products of first derivatives, in
+/// a box-shaped trust region: bounds of the parameters and of the region are one box, so negative curvature needs no care of its
+/// own.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,11 @@ namespace lissom {
 
 namespace {
 
-class ExactNewton final : public StepMethod {
+class ByProducts final : public StepMethod {
  public:
+  enum class Second { kExact, kGaussNewton };
+  explicit ByProducts(Second second) : second_(second) {}
+
   StepEnd iterate(Iteration& work) const override {
     ReducedProblem& problem = work.problem;
     OptimizerState& state = work.state;
@@ -26,8 +30,11 @@ class ExactNewton final : public StepMethod {
     // The nearer the end, the more exactly: converges superlinearly, in the end quadratically, for few products before.
     const double share = std::min(work.options.newton_forcing, std::sqrt(work.record.gradient / state.first_gradient));
     const MatX none;
-    const MatX& like_h = work.options.preconditioner == NewtonPreconditioner::kGram ? problem.gram() : none;
-    const auto times = [&problem](const VecX& v) -> VecX { return problem.hessian_times(v); };
+    const bool exact = second_ == Second::kExact;
+    const MatX& like_h = exact && work.options.preconditioner == NewtonPreconditioner::kGram ? problem.gram() : none;
+    const auto times = [&problem, exact](const VecX& v) -> VecX {
+      return exact ? problem.hessian_times(v) : problem.jacobian_transposed_times(problem.jacobian_times(v));
+    };
     const BoxCgSolution model = solve_box_cg(times, g, lower, upper, like_h, share * left, work.options.max_products);
     work.record.hessian_products = model.products;
     const bool cut = model.negative_curvature || model.x.cwiseAbs().maxCoeff() >= state.cap * (1 - 1e-9);
@@ -39,10 +46,17 @@ class ExactNewton final : public StepMethod {
     if (work.cancelled() && !std::isfinite(change)) return StepEnd::kCancelled;
     return judge_by_radius(work, model.x, model.decrease, change);
   }
+
+ private:
+  Second second_;
 };
 
 }  // namespace
 
-std::unique_ptr<StepMethod> make_exact_newton() { return std::make_unique<ExactNewton>(); }
+std::unique_ptr<StepMethod> make_exact_newton() { return std::make_unique<ByProducts>(ByProducts::Second::kExact); }
+
+std::unique_ptr<StepMethod> make_gauss_newton_products() {
+  return std::make_unique<ByProducts>(ByProducts::Second::kGaussNewton);
+}
 
 }  // namespace lissom

@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -185,10 +184,6 @@ struct WishesBrief {
   double smoothness = 0;  ///< along rods: radii and rest shapes that change one by one
 };
 
-/// Names of design/optimize_options.h, which a test compares.
-constexpr std::array<std::string_view, 6> kBriefMethods{
-    "gauss_newton", "bfgs", "structured_bfgs", "dennis_gay_welsch", "levenberg_marquardt", "newton"};
-
 /// How it is worked on.
 struct DesignSettings {
   enum class Control { kLineSearch, kTrustRegion };
@@ -196,7 +191,7 @@ struct DesignSettings {
     kFixed,  ///< soft pins are as stiff as the poses say
     kAdaptive,  ///< that is where they begin; they end such that pinned nodes miss their places as much as goals are missed
   };
-  std::string method = "structured_bfgs";
+  std::string method = "structured_bfgs";  ///< one of brief_methods.h
   Control control = Control::kLineSearch;
   Pins pins = Pins::kFixed;
   int iterations = 100;  ///< at most, of each stage that has no limit of its own

@@ -1,4 +1,5 @@
 #include "lissom/model/brief_json.h"
+#include "lissom/model/brief_methods.h"
 
 namespace lissom {
 namespace {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/brief_methods.h"
 
 namespace lissom {
 
@@ -38,6 +39,11 @@ Status check_material(const RodMeshProject& project) {
 
 Status check_design(const RodMeshProject& project) {
   const MeshDesign& design = project.design;
+  const std::vector<std::string> methods(kBriefMethods.begin(), kBriefMethods.end());
+  if (!design.method.empty() && std::find(methods.begin(), methods.end(), design.method) == methods.end()) {
+    return Error{ErrorCode::kUnknown, "/design/method", fmt::format("there is no method \"{}\"", design.method),
+                 suggestion(design.method, methods)};
+  }
   const double low = design.radii[0], high = design.radii[1];
   if (!(low > 0 && high > low)) {
     return Error{ErrorCode::kRange, "/design/radii", "radii need a smallest one above 0 and a larger largest one",

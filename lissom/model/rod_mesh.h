@@ -88,6 +88,7 @@ struct MeshPose {
 
 /// Radii at 2, 3 and 4 places of each rod first, then at 4 together with the rest shape.
 struct MeshDesign {
+  std::string method;      ///< one of brief_methods.h; empty: the fastest for so many parameters
   Vec2 radii{1e-3, 3e-3};  ///< m
   double reach = 0.01;     ///< m, of the rest shape along each axis; 0: it stays as drawn
   std::array<int, 4> iterations{10, 5, 5, 12};

@@ -218,6 +218,9 @@ void describe(Fields& fields, MeshPose& pose) {
 
 void describe(Fields& fields, MeshDesign& design) {
   fields
+      .field(
+          "method", design.method, TextOf(), kOptional,
+          "How second derivatives are had, as in a structure's design; the fastest for so many parameters when absent.")
       .field("radii", design.radii, PairOf{Measure::kLength, Measure::kLength}, kOptional,
              "Smallest and largest radius.")
       .field("reach", design.reach, NumberOf{Measure::kLength, kNotNegative}, kOptional,

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "lissom/model/brief_methods.h"
 #include "lissom/model/json_value.h"
 #include "lissom/model/validate_parts.h"
 

@@ -157,6 +157,14 @@ class Poser {
                  "take a larger part, or more cells"};
   }
 
+  /// Methods that put matrices over all parameters together are the fastest up to about so many parameters.
+  std::string fastest_method() const {
+    constexpr int kManyParameters = 1500;
+    const int rods = static_cast<int>(made_.model.rods.size());
+    const bool many = 5 * (made_.joints + 2 * rods) > kManyParameters;
+    return many ? "gauss_newton_products" : DesignSettings().method;
+  }
+
   Brief brief() const {
     const MeshDesign& design = project_.design;
     Brief brief;
@@ -175,6 +183,7 @@ class Poser {
       brief.stages.pop_back();
     }
     brief.settings.pins = DesignSettings::Pins::kAdaptive;
+    brief.settings.method = design.method.empty() ? fastest_method() : design.method;
     brief.wishes.smoothness = design.smoothness;
     for (std::size_t k = 0; k < project_.poses.size(); ++k) {
       if (project_.poses[k].held_back) continue;

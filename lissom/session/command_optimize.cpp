@@ -7,6 +7,7 @@
 
 #include "lissom/core/file_io.h"
 #include "lissom/core/nearest_name.h"
+#include "lissom/model/brief_methods.h"
 #include "lissom/model/document.h"
 #include "lissom/session/design_checkpoint.h"
 #include "lissom/session/layout_json.h"
@@ -142,6 +143,7 @@ Status write_results(const DesignRun& run, const Document& document, const Optim
   report.command = command.line;
   report.version = command.version;
   if (const Status s = output.write(name + "-design.html", design_report_html(report)); !s) return s;
+  design.report = std::move(report);
   design.files = output.take_written();
   result["files"] = file_list(design.files);
   design.summary = json_line(result);

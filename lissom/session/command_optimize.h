@@ -11,6 +11,7 @@
 #include "lissom/core/result.h"
 #include "lissom/design/optimizer_state.h"
 #include "lissom/design/structure_problem.h"
+#include "lissom/session/design_report.h"
 #include "lissom/session/document_file.h"
 
 namespace lissom {
@@ -31,6 +32,7 @@ struct OptimizedDesign {
   int iterations = 0;
   std::vector<GoalMeasure> before, after;  ///< one per goal, in the same order
   Model model;                             ///< the design that was found
+  DesignReport report;                     ///< what the page among the files says
   std::vector<std::string> notes;
   std::vector<std::filesystem::path> files;  ///< written
   std::string summary;                       ///< JSON, one line

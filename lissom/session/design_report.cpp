@@ -149,6 +149,8 @@ Result<std::string> design_report_html(const DesignReport& report) {
   };
   const std::vector<Chapter> chapters = {
       {"shapes", "Shapes", shapes.value()},
+      {"project", "Project", report_plain_tables(report.project)},
+      {"print", "Print", report_plain_tables(report.print)},
       {"goals", "Goals", report.goals.empty() ? std::string() : report_goals(report)},
       {"convergence", "Convergence", convergence.value() + (report.history.empty() ? "" : report_history(report))},
       {"parameters", "Parameters",

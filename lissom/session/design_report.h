@@ -80,6 +80,13 @@ struct DesignReport {
     Drawing before = {}, after = {};   ///< `after` may have a field "deviation" (report_pose.h)
   };
 
+  /// Plain text in rows. Columns whose names begin with '<' hold words, the others numbers.
+  struct Table {
+    std::string caption = {};
+    std::vector<std::string> columns = {};
+    std::vector<std::vector<std::string>> rows = {};
+  };
+
   std::string title = {};     ///< of the structure
   std::string document = {};  ///< file
   Tone tone = Tone::kReached;
@@ -95,6 +102,8 @@ struct DesignReport {
   std::vector<Goal> goals = {};
   std::vector<Parameter> parameters = {};
   std::vector<Pose> poses = {};
+  std::vector<Table> project = {};         ///< what the structure was made from, and how poses come out
+  std::vector<Table> print = {};           ///< what can be said of printing it
   std::vector<std::string> warnings = {};  ///< sentences
   std::vector<std::string> files = {};     ///< written beside the report
   std::string command = {};                ///< line that makes this again

@@ -84,6 +84,23 @@ std::string report_goals(const DesignReport& report) {
   return html + kCloseTable;
 }
 
+std::string report_plain_tables(const std::vector<DesignReport::Table>& tables) {
+  std::string html;
+  for (const DesignReport::Table& table : tables) {
+    html += open_table(xml_escaped(table.caption), table.columns);
+    for (const std::vector<std::string>& row : table.rows) {
+      html += "<tr>";
+      for (size_t i = 0; i < row.size(); ++i) {
+        const bool words = i < table.columns.size() && table.columns[i].starts_with('<');
+        html += words ? "<td class=\"w\">" + xml_escaped(row[i]) + "</td>" : cell(xml_escaped(row[i]));
+      }
+      html += "</tr>\n";
+    }
+    html += kCloseTable;
+  }
+  return html;
+}
+
 std::string report_history(const DesignReport& report) {
   std::vector<std::string> columns{"Iteration", "Time", "Objective", "Gradient", "At bound", "Radius", "<Stage"};
   for (const DesignReport::Goal& g : report.goals) {

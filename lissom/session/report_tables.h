@@ -19,4 +19,7 @@ std::string report_parameters(const DesignReport& report);
 /// Where the time went, and the size of the problem.
 std::string report_effort(const DesignReport& report);
 
+/// Tables as they are.
+std::string report_plain_tables(const std::vector<DesignReport::Table>& tables);
+
 }  // namespace lissom

@@ -9,6 +9,7 @@
 #include "lissom/design/brief_goals.h"
 #include "lissom/design/brief_space.h"
 #include "lissom/design/optimize_options.h"
+#include "lissom/model/brief_methods.h"
 #include "lissom/model/document.h"
 
 namespace lissom {
