@@ -92,7 +92,7 @@ Result<RodMeshExample> dinosaur_example() {
   DeformerBrief body;
   body.name = "body";
   body.kind = DeformerBrief::Kind::kSolid;
-  body.modulus = 1e6;
+  body.modulus = 4e4;
   body.poisson_ratio = 0.4;
   body.density = 300;
   body.cell = 0.009;
@@ -107,9 +107,9 @@ Result<RodMeshExample> dinosaur_example() {
   const Selector front_feet = box(from(0, -kFar, -kFar), from(kFar, kFar, 0.006));
   const Selector right_rear = box(from(-kFar, -kFar, -kFar), from(0, 0, 0.006));
   const Selector left_rear = box(from(-kFar, 0, -kFar), from(0, kFar, 0.006));
-  p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.05, 0, 0.12))}),
-             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.12, 0))}), pose("nodding", "body", {feet}, {}),
-             pose("looking aside", "body", {feet}, {pull(nose, from(0, 0.6, 0))}),
+  p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.1, 0, 0.25))}),
+             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.3, 0))}), pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.05))}),
+             pose("looking aside", "body", {feet}, {pull(nose, from(0, 0.35, 0))}),
              pose("foot lifted", "body", {front_feet, right_rear}, {pull(left_rear, from(-0.3, 0.1, 0.5))})};
   p.poses[2].pose.gravity = Gravity{};
   made.surface = std::move(surface).value();
@@ -134,6 +134,7 @@ Result<RodMeshExample> smiley_example() {
   p.rods.material = soft.name;
   p.rods.edges = 4;
   p.design.radii = Vec2(1e-3, 4e-3);
+  p.print.bed = Vec3(0.34, 0.34, 0.6);  // EOS P 396
   constexpr double kHalf = 0.125, kPulled = 0.0625;  // m
   MeshPose smile;
   smile.pose.name = "smile";
@@ -142,9 +143,9 @@ Result<RodMeshExample> smiley_example() {
   // What a pull does to an even sheet, and what the drawing hand adds at the mouth.
   const auto pulled = [&](double x, double y) {
     const double along = (x + kHalf) / (2 * kHalf);
-    return Vec3(x + kPulled * along, y * (1 - 0.1 * std::sin(std::numbers::pi * along)), 0);
+    return Vec3(x + kPulled * along, y * (1 - 0.15 * std::sin(std::numbers::pi * along)), 0);
   };
-  for (const double x : {-kHalf, -0.0625, 0.0, 0.0625, kHalf}) {
+  for (const double x : {-kHalf, -0.09375, -0.0625, -0.03125, 0.0, 0.03125, 0.0625, 0.09375, kHalf}) {
     for (const double y : {-kHalf, 0.035, 0.09, kHalf}) smile.warp.push_back({Vec3(x, y, 0), pulled(x, y)});
   }
   for (const double x : {-kHalf, kHalf}) smile.warp.push_back({Vec3(x, -0.042, 0), pulled(x, -0.042)});

@@ -1,6 +1,7 @@
 #include "lissom/fabrication/print_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -67,7 +68,10 @@ std::vector<PrintFinding> near_findings(const Structure& structure, const std::v
   return findings;
 }
 
-/// How far a size passes the bed along each axis, m; negative where it does not.
+std::string in_mm(const Vec3& size) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", 1e3 * size.x(), 1e3 * size.y(), 1e3 * size.z());
+}
+
 std::vector<PrintFinding> bed_findings(const std::vector<RodSolid>& solids, const PrintProcess& process) {
   const SolidBox box = solid_box(solids);
   Vec3 size = box.high - box.low;
@@ -75,6 +79,12 @@ std::vector<PrintFinding> bed_findings(const std::vector<RodSolid>& solids, cons
   const auto excess = [&](const Vec3& s) { return (s - process.bed).cwiseMax(0).maxCoeff(); };
   if (excess(turned) < excess(size)) size = turned;  // a quarter turn on the bed is free
   if (excess(size) <= 0) return {};
+  for (const std::array<int, 3>& axes : {std::array{0, 2, 1}, {2, 1, 0}, {1, 2, 0}, {2, 0, 1}}) {
+    const Vec3 laid(size[axes[0]], size[axes[1]], size[axes[2]]);
+    if (excess(laid) > 0) continue;
+    return {{Weight::kWarning, "fits only on another side", in_mm(laid) + " on a bed of " + in_mm(process.bed), 0,
+             "turn it so that its longest sides lie along those of the bed"}};
+  }
   std::string by;
   constexpr const char* kAxes[] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
@@ -83,8 +93,7 @@ std::vector<PrintFinding> bed_findings(const std::vector<RodSolid>& solids, cons
   }
   return {
       {Weight::kError, "too large",
-       fmt::format("{:.1f} x {:.1f} x {:.1f} mm on a bed of {:.0f} x {:.0f} x {:.0f} mm", 1e3 * size.x(),
-                   1e3 * size.y(), 1e3 * size.z(), 1e3 * process.bed.x(), 1e3 * process.bed.y(), 1e3 * process.bed.z()),
+       in_mm(size) + " on a bed of " + in_mm(process.bed),
        excess(size), by + ": use a larger printer, or cut the structure into parts that are joined later"}};
 }
 

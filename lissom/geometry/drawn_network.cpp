@@ -1,6 +1,7 @@
 #include "lissom/geometry/drawn_network.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "lissom/geometry/surface_locate.h"
@@ -15,8 +16,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// Walks over the segments of a drawing.
 class Drawer {
  public:
-  Drawer(const Surface& surface, const ObjLines& drawn, const std::string& where)
-      : surface_(surface), drawn_(drawn), where_(where), neighbours_(triangle_neighbours(surface)) {
+  Drawer(const Surface& surface, const ObjLines& drawn, double corner, const std::string& where)
+      : surface_(surface), drawn_(drawn), corner_(corner), where_(where), neighbours_(triangle_neighbours(surface)) {
     segments_at_.resize(drawn.points.size());
     for (int s = 0; s < static_cast<int>(drawn.segments.size()); ++s) {
       for (const int p : drawn.segments[at(s)]) segments_at_[at(p)].push_back(s);
@@ -32,7 +33,7 @@ class Drawer {
     used_.assign(drawn_.segments.size(), 0);
     for (int p = 0; p < static_cast<int>(place_.size()); ++p) {
       const std::size_t count = segments_at_[at(p)].size();
-      if (count > 0 && count != 2) add_joint(p);
+      if (count > 0 && (count != 2 || turn_at(p) > corner_)) add_joint(p);
     }
     for (int p = 0; p < static_cast<int>(place_.size()); ++p) {
       if (joint_[at(p)] < 0) continue;
@@ -47,6 +48,16 @@ class Drawer {
   void add_joint(int point) {
     joint_[at(point)] = static_cast<int>(network_.joints.size());
     network_.joints.push_back({place_[at(point)], SurfaceJoint::Kind::kInside});
+  }
+
+  /// Of a point with two segments, rad.
+  double turn_at(int point) const {
+    std::array<Vec3, 2> towards;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int other = far_end(segments_at_[at(point)][k], point);
+      towards[k] = (drawn_.points[at(other)] - drawn_.points[at(point)]).normalized();
+    }
+    return std::acos(std::clamp(-towards[0].dot(towards[1]), -1.0, 1.0));
   }
 
   int far_end(int segment, int point) const {
@@ -112,6 +123,7 @@ class Drawer {
 
   const Surface& surface_;
   const ObjLines& drawn_;
+  const double corner_;  // rad
   const std::string& where_;
   std::vector<std::array<int, 3>> neighbours_;
   std::vector<std::vector<int>> segments_at_;  // per point
@@ -123,8 +135,9 @@ class Drawer {
 
 }  // namespace
 
-Result<SurfaceNetwork> drawn_network(const Surface& surface, const ObjLines& drawn, const std::string& where) {
-  return Drawer(surface, drawn, where).run();
+Result<SurfaceNetwork> drawn_network(const Surface& surface, const ObjLines& drawn, double corner,
+                                     const std::string& where) {
+  return Drawer(surface, drawn, corner, where).run();
 }
 
 }  // namespace lissom

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "lissom/geometry/triangle_finder.h"
+
 namespace lissom {
 
 namespace {
@@ -15,6 +17,7 @@ namespace {
 using Cell = std::vector<Vec2>;  // corners in order
 
 constexpr double kResolution = 1e-6;  // m, points closer than this are one
+constexpr int kShifts = 12;           // of a pattern along each axis, to find the one with most cells on a sheet
 
 std::vector<Cell> hexagon_cells(double edge, int columns, int rows) {
   std::vector<Cell> cells;
@@ -100,6 +103,8 @@ ObjLines centred(const std::vector<Cell>& cells) {
 /// A sheet seen along its mean normal.
 class FlatView {
  public:
+  FlatView(const FlatView&) = delete;  // the finder looks at its own lists
+  FlatView& operator=(const FlatView&) = delete;
   explicit FlatView(const Surface& surface) : surface_(surface) {
     for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
       const Vec3 area = area_vector(surface, t);
@@ -116,22 +121,21 @@ class FlatView {
       low = low.cwiseMin(flat_.back());
       high = high.cwiseMax(flat_.back());
     }
+    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+      if (area_vector(surface, t).dot(normal_) <= 0) continue;
+      facing_.push_back(t);
+      triangles_.push_back(surface.triangles[static_cast<std::size_t>(t)]);
+    }
+    finder_.emplace(flat_, triangles_);
   }
 
   bool faces_one_way() const { return normal_.norm() > 0.3 * whole_; }
 
-  /// The point of the sheet seen at a place of the view, on the first triangle there.
+  /// The point of the sheet seen at a place of the view.
   std::optional<Vec3> lifted(const Vec2& p) const {
-    for (int t = 0; t < static_cast<int>(surface_.triangles.size()); ++t) {
-      const std::array<int, 3>& corner = surface_.triangles[static_cast<std::size_t>(t)];
-      const Vec2 &a = at(corner[0]), ab = at(corner[1]) - a, ac = at(corner[2]) - a, ap = p - a;
-      const double twice = ab[0] * ac[1] - ab[1] * ac[0];
-      if (twice == 0) continue;
-      const double v = (ap[0] * ac[1] - ap[1] * ac[0]) / twice, w = (ab[0] * ap[1] - ab[1] * ap[0]) / twice;
-      if (std::min({v, w, 1 - v - w}) < -kOutside) continue;
-      return position(surface_, {t, Vec3(1 - v - w, v, w)});
-    }
-    return {};
+    const TriangleFinder::Place place = finder_->find(p);
+    if (place.weight.minCoeff() < -kOutside) return {};
+    return position(surface_, {facing_[static_cast<std::size_t>(place.triangle)], place.weight});
   }
 
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;  // m, of the view
@@ -139,12 +143,13 @@ class FlatView {
  private:
   static constexpr double kOutside = 1e-6;  // of a triangle's height: a cell may end at the rim itself
 
-  const Vec2& at(int vertex) const { return flat_[static_cast<std::size_t>(vertex)]; }
-
   const Surface& surface_;
   Vec3 normal_ = Vec3::Zero(), x_ = Vec3::UnitX(), y_ = Vec3::UnitY();
   double whole_ = 0;  // m^2, twice the area
   std::vector<Vec2> flat_;
+  std::vector<int> facing_;                    // triangles that are seen from the front
+  std::vector<std::array<int, 3>> triangles_;  // the same, by vertices
+  std::optional<TriangleFinder> finder_;
 };
 
 std::vector<Cell> cells_of(PatternCell cell, double edge, int columns, int rows) {
@@ -157,6 +162,31 @@ std::vector<Cell> cells_of(PatternCell cell, double edge, int columns, int rows)
       break;
   }
   return hexagon_cells(edge, columns, rows);
+}
+
+/// By how much the pattern may be shifted along its axes until it is the same again, m.
+Vec2 period_of(PatternCell cell, double edge) {
+  switch (cell) {
+    case PatternCell::kSquare:
+      return {edge, edge};
+    case PatternCell::kTriangle:
+      return {edge, 2 * std::sqrt(0.75) * edge};
+    case PatternCell::kHexagon:
+      break;
+  }
+  return {std::sqrt(3.0) * edge, 3 * edge};
+}
+
+/// Those that lie wholly on the sheet when the pattern begins at `origin` (m, of the view).
+std::vector<Cell> fitting_cells(const FlatView& view, const std::vector<Cell>& cells, const Vec2& origin) {
+  std::vector<Cell> fitting;
+  for (Cell cell : cells) {
+    for (Vec2& x : cell) x += origin;
+    if (std::all_of(cell.begin(), cell.end(), [&](const Vec2& x) { return view.lifted(x).has_value(); })) {
+      fitting.push_back(std::move(cell));
+    }
+  }
+  return fitting;
 }
 
 }  // namespace
@@ -172,22 +202,19 @@ Result<ObjLines> pattern_on_sheet(const Surface& surface, PatternCell cell, doub
                  "lay cells or the dual on it"};
   }
   const Vec2 size = view.high - view.low;
-  const auto count = [&](double extent) { return static_cast<int>(std::ceil(extent / edge)) + 2; };
-  std::vector<Cell> cells = cells_of(cell, edge, count(size[0]), count(size[1]));
-  Vec2 reach = Vec2::Zero();
-  for (const Cell& c : cells) {
-    for (const Vec2& x : c) reach = reach.cwiseMax(x);
+  const auto count = [&](double extent) { return static_cast<int>(std::ceil(extent / edge)) + 4; };
+  const std::vector<Cell> cells = cells_of(cell, edge, count(size[0]), count(size[1]));
+  const Vec2 period = period_of(cell, edge);
+  std::vector<Cell> best;
+  for (int i = 0; i < kShifts; ++i) {
+    for (int j = 0; j < kShifts; ++j) {
+      const Vec2 shift = Vec2(i, j) / kShifts - Vec2::Constant(2);
+      std::vector<Cell> fitting = fitting_cells(view, cells, view.low + shift.cwiseProduct(period));
+      if (fitting.size() > best.size()) best = std::move(fitting);
+    }
   }
   Drawing drawing;
-  const Vec2 shift = 0.5 * (view.low + view.high) - 0.5 * reach;
-  for (Cell& c : cells) {
-    bool fits = true;
-    for (Vec2& x : c) {
-      x += shift;
-      fits = fits && view.lifted(x).has_value();
-    }
-    if (fits) drawing.add(c);
-  }
+  for (const Cell& c : best) drawing.add(c);
   ObjLines lines = drawing.take();
   if (lines.segments.empty()) {
     return Error{ErrorCode::kGeometry, where, "no cell of the pattern fits on the sheet", "ask for narrower cells"};

@@ -17,9 +17,9 @@ ObjLines triangle_pattern(double edge, int columns, int rows);
 
 enum class PatternCell { kHexagon, kSquare, kTriangle };
 
-/// The cells of a pattern that fit wholly on a sheet: the pattern lies in the plane across the sheet's mean normal, centred on
-/// it, its rows along x (along y where the sheet stands across x), and each point is moved along the normal to the sheet. Sides
-/// of `edge`, m. kGeometry at `where` for surfaces without a mean normal and where no cell fits.
+/// The cells of a pattern that fit wholly on a sheet: the pattern lies in the plane across the sheet's mean normal, its rows
+/// along x (along y where the sheet stands across x), shifted such that most cells fit, and each point is moved along the normal
+/// to the sheet. Sides of `edge`, m. kGeometry at `where` for surfaces without a mean normal and where no cell fits.
 Result<ObjLines> pattern_on_sheet(const Surface& surface, PatternCell cell, double edge, const std::string& where);
 
 }  // namespace lissom

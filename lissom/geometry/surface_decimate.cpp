@@ -1,10 +1,12 @@
 #include "lissom/geometry/surface_decimate.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/tangential_relaxation.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <boost/property_map/function_property_map.hpp>
 
 namespace lissom {
 
@@ -13,6 +15,14 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace simplification = CGAL::Surface_mesh_simplification;
+
+constexpr int kRelaxations = 5;
+
+/// Edges that relaxation leaves alone: a boundary keeps its shape.
+auto boundary_edges(const Mesh& mesh) {
+  return boost::make_function_property_map<Mesh::Edge_index>(
+      [&mesh](const Mesh::Edge_index& edge) { return mesh.is_border(edge); });
+}
 
 /// Stops at a number of triangles, which CGAL's own conditions do not count.
 struct EnoughTriangles {
@@ -39,6 +49,8 @@ Surface decimate(const Surface& surface, int triangles) {
                                 CGAL::parameters::get_cost(simplification::Edge_length_cost<Mesh>())
                                     .get_placement(simplification::LindstromTurk_placement<Mesh>()));
   mesh.collect_garbage();
+  CGAL::Polygon_mesh_processing::tangential_relaxation(
+      mesh, CGAL::parameters::number_of_iterations(kRelaxations).edge_is_constrained_map(boundary_edges(mesh)));
   Surface coarse;
   for (const Mesh::Vertex_index v : mesh.vertices()) {
     const Kernel::Point_3& x = mesh.point(v);

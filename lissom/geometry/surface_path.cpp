@@ -18,6 +18,7 @@ using Traits = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Shortest = CGAL::Surface_mesh_shortest_path<Traits>;
 
 constexpr double kNothing = 1e-12;  // barycentric weight
+constexpr double kInside = 1e-6;    // least barycentric weight of the ends of a search
 
 Vec3 point_in(const Surface& surface, int triangle, const Vec3& weights) {
   return position(surface, {triangle, weights});
@@ -57,8 +58,11 @@ struct Patch {
   /// Barycentric weights in CGAL's order of corners: from the source of the face's halfedge on.
   Traits::Barycentric_coordinates weights(const Surface& surface, const SurfacePlace& place) const {
     const std::array<int, 3> corners = turned(surface, place.triangle);
-    const Vec3& w = place.weights;
-    return {std::max(0.0, w[corners[0]]), std::max(0.0, w[corners[1]]), std::max(0.0, w[corners[2]])};
+    // On edges and in corners the search looks to one side only, which at a boundary may be the outside, and a rounding away
+    // from them it sees wedges that are too thin: it is told of places just inside.
+    Vec3 w = place.weights;
+    if (w.minCoeff() < kInside) w = (1 - 3 * kInside) * w.cwiseMax(0.0) + Vec3::Constant(kInside);
+    return {w[corners[0]], w[corners[1]], w[corners[2]]};
   }
 
   /// Which corner of the surface's triangle is the first, second and third one of the face.
@@ -193,6 +197,8 @@ std::optional<SurfacePath> shortest_path(const Surface& surface, std::span<const
     if ((piece->to - piece->from).norm() > kNothing) path.push_back(*piece);
   }
   if (path.empty()) return {};
+  if (path.front().triangle == from.triangle) path.front().from = from.weights;
+  if (path.back().triangle == to.triangle) path.back().to = to.weights;
   return path;
 }
 

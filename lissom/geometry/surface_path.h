@@ -24,7 +24,7 @@ SurfacePath reversed(const SurfacePath& path);
 std::vector<SurfacePlace> sample_path(const Surface& surface, const SurfacePath& path, int edges);
 
 /// The shortest path from `from` to `to` that stays on the triangles of `patch` [Xin, Wang 2009, through CGAL]. Nothing
-/// when the patch does not connect them. `from` and `to` lie on triangles of the patch; the patch is manifold.
+/// when the patch does not connect them. Ends on edges and vertices are met to within a millionth of a triangle. `from` and `to` lie on triangles of the patch; the patch is manifold.
 std::optional<SurfacePath> shortest_path(const Surface& surface, std::span<const int> patch, const SurfacePlace& from,
                                          const SurfacePlace& to);
 

@@ -99,6 +99,7 @@ struct MeshDesign {
 struct MeshPrint {
   std::string process = "sls";
   double tolerance = 1e-4;  ///< m, of the surface of the print
+  std::optional<Vec3> bed;  ///< m, in the place of that of the process
 };
 
 struct RodMeshProject {

@@ -235,7 +235,8 @@ void describe(Fields& fields, MeshDesign& design) {
 
 void describe(Fields& fields, MeshPrint& print) {
   fields.field("process", print.process, TextOf{false}, kOptional, "sls, fdm or sla.")
-      .field("tolerance", print.tolerance, kLength, kOptional, "Of the surface of the print.");
+      .field("tolerance", print.tolerance, kLength, kOptional, "Of the surface of the print.")
+      .field("bed", print.bed, VectorOf{Measure::kLength}, kOptional, "Size of the printer's bed, height last.");
 }
 
 namespace {

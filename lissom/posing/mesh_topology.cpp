@@ -10,6 +10,9 @@ namespace lissom {
 
 namespace {
 
+constexpr double kCorner = 0.7;     // rad, turn of a drawn line that makes a joint
+constexpr double kEverywhere = -1;  // every point of a pattern is a joint
+
 PatternCell cell_of(PatternTopology::Shape shape) {
   switch (shape) {
     case PatternTopology::Shape::kQuads:
@@ -44,11 +47,11 @@ struct LayOut {
   Result<SurfaceNetwork> operator()(const PatternTopology& wanted) const {
     const Result<ObjLines> lines = pattern_on_sheet(surface, cell_of(wanted.shape), wanted.width, where + "/pattern");
     if (!lines) return lines.error();
-    return drawn_network(surface, lines.value(), where + "/pattern");
+    return drawn_network(surface, lines.value(), kEverywhere, where + "/pattern");
   }
   Result<SurfaceNetwork> operator()(const DrawnTopology&) const {
     LISSOM_ASSERT(drawn.has_value());
-    return drawn_network(surface, *drawn, where + "/lines");
+    return drawn_network(surface, *drawn, kCorner, where + "/lines");
   }
 };
 

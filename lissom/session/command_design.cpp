@@ -9,7 +9,6 @@
 #include "lissom/equilibrium/solve.h"
 #include "lissom/model/document.h"
 #include "lissom/session/design_tables.h"
-#include "lissom/session/layout_json.h"
 #include "lissom/session/output.h"
 #include "lissom/session/posed_mesh_file.h"
 
@@ -176,6 +175,7 @@ Result<DesignedProject> work(const Document& document, const std::vector<Wanted>
   printing.file = command.folder / (document.name + ".3mf");
   printing.process = print.process;
   printing.solid.tolerance = print.tolerance;
+  printing.bed = print.bed;
   Result<PrintOutcome> printed = print_command({document.name, command.folder, done.design.model}, printing, context);
   if (!printed) return printed.error();
   done.print = std::move(printed).value();
@@ -191,7 +191,7 @@ Status finish(const Document& document, const DesignCommand& command, DesignedPr
   if (done.print && !done.print->file.empty()) report.files.push_back(done.print->file.filename().string());
   Output output(command.folder);
   if (Status s = output.write(document.name + "-design.html", design_report_html(report)); !s) return s;
-  done.summary = json_line(summary_of(document.name, done));
+  done.summary = summary_of(document.name, done);
   return {};
 }
 

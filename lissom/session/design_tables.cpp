@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "lissom/session/layout_json.h"
 
@@ -75,7 +76,7 @@ std::vector<Table> print_tables(const PrintOutcome& print) {
   return tables;
 }
 
-Json summary_of(const std::string& name, const DesignedProject& done) {
+std::string summary_of(const std::string& name, const DesignedProject& done) {
   Json json;
   json["project"] = name;
   json["verdict"] = design_verdict_info(done.design.verdict).name;
@@ -104,7 +105,7 @@ Json summary_of(const std::string& name, const DesignedProject& done) {
   }
   json["notes"] = done.notes;
   json["files"] = file_list(done.files);
-  return json;
+  return json_line(json);
 }
 
 }  // namespace lissom

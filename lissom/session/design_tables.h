@@ -1,7 +1,6 @@
 #pragma once
 /// What came of a project, as tables of its report and as JSON.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ std::vector<DesignReport::Table> project_tables(const DesignedProject& done);
 /// Objects, strains of the poses, what speaks against printing.
 std::vector<DesignReport::Table> print_tables(const PrintOutcome& print);
 
-/// SI units.
-nlohmann::ordered_json summary_of(const std::string& name, const DesignedProject& done);
+/// JSON, one line, SI units.
+std::string summary_of(const std::string& name, const DesignedProject& done);
 
 }  // namespace lissom

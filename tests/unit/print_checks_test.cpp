@@ -123,6 +123,16 @@ TEST(PrintChecks, SaysByHowMuchTheBedIsTooSmall) {
   EXPECT_NE(findings[0].remedy.find("85.0 mm too long"), std::string::npos);
 }
 
+TEST(PrintChecks, SaysWhatFitsOnlyStanding) {
+  RodNet net;
+  net.line({0, 0, 0}, {0, 280 * kMm, 0}, round(2));
+  const std::vector<PrintFinding> findings = findings_of(net, "sls");
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].weight, PrintFinding::Weight::kWarning);
+  EXPECT_EQ(findings[0].what, "fits only on another side");
+  EXPECT_NE(findings[0].where.find("280.0 mm on a bed of"), std::string::npos);
+}
+
 TEST(PrintChecks, TubesArePrintedFull) {
   RodNet net;
   net.line({0, 0, 0}, {40 * kMm, 0, 0}, {SectionShape::kTube, 3 * kMm, 3 * kMm, 0.5 * kMm});

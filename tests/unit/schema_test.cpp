@@ -5,20 +5,30 @@
 
 #include "lissom/core/file_io.h"
 #include "lissom/model/document.h"
+#include "lissom/model/rod_mesh_document.h"
 
 namespace lissom {
 namespace {
 
-const char* const kSchemaFile = "docs/guide/lissom.schema.json";
+/// A format, and the file in the guide that describes it.
+struct Described {
+  const char* file;
+  std::string (*schema)();
+  int references, fields;  ///< at least
+};
+const Described kSchemas[] = {{"docs/guide/lissom.schema.json", document_schema, 60, 120},
+                              {"docs/guide/lissom-project.schema.json", project_schema, 15, 50}};
 
-TEST(Schema, TheSchemaInTheGuideIsTheOneOfTheProgram) {
-  const std::string schema = document_schema();
-  if (std::getenv("LISSOM_UPDATE_SCHEMA")) {
-    ASSERT_TRUE(write_file(kSchemaFile, schema));
+TEST(Schema, TheSchemasInTheGuideAreThoseOfTheProgram) {
+  for (const Described& format : kSchemas) {
+    const std::string schema = format.schema();
+    if (std::getenv("LISSOM_UPDATE_SCHEMA")) {
+      ASSERT_TRUE(write_file(format.file, schema));
+    }
+    const Result<std::string> stored = read_file(format.file);
+    ASSERT_TRUE(stored);
+    EXPECT_TRUE(stored.value() == schema) << "run this test with LISSOM_UPDATE_SCHEMA=1 and commit " << format.file;
   }
-  const Result<std::string> stored = read_file(kSchemaFile);
-  ASSERT_TRUE(stored);
-  EXPECT_TRUE(stored.value() == schema) << "run this test with LISSOM_UPDATE_SCHEMA=1 and commit " << kSchemaFile;
 }
 
 struct Count {
@@ -43,14 +53,16 @@ void visit(const nlohmann::json& schema, const nlohmann::json& node, Count& coun
 
 /// Every reference leads somewhere, every definition is used, every field has a sentence.
 TEST(Schema, IsComplete) {
-  const nlohmann::json schema = nlohmann::json::parse(document_schema());
-  Count count;
-  visit(schema, schema, count);
-  EXPECT_GT(count.references, 60);
-  EXPECT_GT(count.fields, 120);
-  const std::string text = schema.dump();
-  for (const auto& [name, definition] : schema["$defs"].items()) {
-    EXPECT_NE(text.find("\"#/$defs/" + name + "\""), std::string::npos) << name;
+  for (const Described& format : kSchemas) {
+    const nlohmann::json schema = nlohmann::json::parse(format.schema());
+    Count count;
+    visit(schema, schema, count);
+    EXPECT_GT(count.references, format.references);
+    EXPECT_GT(count.fields, format.fields);
+    const std::string text = schema.dump();
+    for (const auto& [name, definition] : schema["$defs"].items()) {
+      EXPECT_NE(text.find("\"#/$defs/" + name + "\""), std::string::npos) << name;
+    }
   }
 }
 
