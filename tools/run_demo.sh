@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What `make run` shows once the tool is built: a gridshell that rises, a hexagon sheet that hangs and a butterfly of rods on
-# stretched fabric that lifts its wings, solved, drawn and written for ParaView. Results go to out/.
+# stretched fabric that lifts its wings, solved, drawn and written for ParaView; then a sheet that is designed to bend and
+# stretch as four others do, with a report and a file for a printer. Results go to out/.
 set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
@@ -21,12 +22,21 @@ for structure in scenes/data/gridshell.lissom scene:hexagon_sheet scenes/data/fa
   show "$lissom" solve "$structure" -o out --picture png --field stress --vtu
 done
 
+
+# The design ends where its parameters end (exit code 13), or where it is as good as it gets (0).
+printf '\n$ %s\n' "$lissom design scene:sheet_design -o out"
+status=0
+"$lissom" design scene:sheet_design -o out || status=$?
+[ "$status" -eq 0 ] || [ "$status" -eq 13 ] || exit "$status"
+
 printf '\nIn %s/out:\n' "$PWD"
 ls -1 out
 printf '%s\n' \
   "" \
   ".png    the shape in colour (largest stress at the surface), the drawn one in grey" \
   ".vtu    the same for ParaView, with strain, curvature, twist and energy as arrays" \
+  ".html   the report of a design: before and after beside the target, convergence, parameters, the print" \
+  ".3mf    what to print, in mm" \
   ".json   everything that was computed; 'lissom solve --resume' goes on from it, 'lissom draw' draws it" \
   "" \
   "Next: 'build/release/lissom --help', docs/guide."

@@ -161,9 +161,8 @@ void add_print(CLI::App& app, Runner& chosen) {
   command->add_flag("--json", arguments->json, "Print one JSON object (SI units) and nothing else");
   add_run_options(*command, arguments->run);
   command->footer(
-      "Prints the drawn shape. Errors (thin rods, rods that touch or would fuse, more than the bed holds, strains "
-      "beyond the\n"
-      "material's limit in a pose) forbid writing, exit code 1.\n\nExample:\n"
+      "Prints the drawn shape. Errors (thin rods, rods that touch or would fuse, more than the bed holds) forbid\n"
+      "writing, exit code 1; strains beyond the material's limit in a pose are warned of.\n\nExample:\n"
       "  lissom print sheet.lissom --out sheet.3mf --process sls");
   command->callback([arguments, &chosen] { chosen = [arguments] { return print_file(*arguments); }; });
 }

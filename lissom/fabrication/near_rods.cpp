@@ -26,8 +26,8 @@ double width(const RodStation& s, SectionShape shape, const Vec3& direction) {
   return shape == SectionShape::kRectangle ? std::abs(b) + std::abs(n) : std::hypot(b, n);
 }
 
-/// From one rod to another, m, where they are nearest within a step of two places, straight as far as that.
-Vec3 nearest_difference(const RodStation& a, const RodStation& b) {
+/// Points of two centrelines, m, where they are nearest within a step of two places, straight as far as that.
+std::array<Vec3, 2> nearest_points(const RodStation& a, const RodStation& b) {
   const Vec3 difference = b.centre - a.centre;
   const double most_a = kStep * std::min(a.r_b, a.r_n), most_b = kStep * std::min(b.r_b, b.r_n);
   double along_a = 0, along_b = 0;
@@ -35,7 +35,7 @@ Vec3 nearest_difference(const RodStation& a, const RodStation& b) {
     along_a = std::clamp(a.t.dot(difference + along_b * b.t), -most_a, most_a);
     along_b = std::clamp(b.t.dot(along_a * a.t - difference), -most_b, most_b);
   }
-  return difference + along_b * b.t - along_a * a.t;
+  return {a.centre + along_a * a.t, b.centre + along_b * b.t};
 }
 
 /// What is near of another piece, at a place of a piece.
@@ -106,7 +106,8 @@ class Search {
   }
 
   void compare(const Place& a, const Place& b) {
-    const Vec3 between = nearest_difference(*a.station, *b.station);
+    const std::array<Vec3, 2> nearest = nearest_points(*a.station, *b.station);
+    const Vec3 between = nearest[1] - nearest[0];
     const double distance = between.norm();
     const RodPiece &first = pieces_[a.piece], &second = pieces_[b.piece];
     const Vec3 direction = distance > 0 ? Vec3(between / distance) : Vec3::UnitX();
@@ -120,7 +121,7 @@ class Search {
     near.joined = near.joined || joined;
     if (joined || gap >= near.gap) return;
     near.gap = gap;
-    near.place = (a.station->centre + b.station->centre) / 2;
+    near.place = (nearest[0] + nearest[1]) / 2;
   }
 
   /// m, along the rods, over at most one piece between; infinite when there is no such way.

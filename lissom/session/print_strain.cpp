@@ -88,7 +88,7 @@ StrainChecks check_strains(const Model& model, const SolveOptions& options, cons
       PrintFinding& finding = by_rod[rod];
       if (worst.strain <= finding.value) continue;
       finding = {
-          PrintFinding::Weight::kError, "strained too much", place, worst.strain,
+          PrintFinding::Weight::kWarning, "strained too much", place, worst.strain,
           fmt::format("pose {} strains it by {}, {} bears {}: make it thinner there, bend it less, or take another "
                       "material",
                       pose, percent(worst.strain), structure.rods[rod].material, percent(worst.limit))};
