@@ -108,7 +108,8 @@ Result<RodMeshExample> dinosaur_example() {
   const Selector right_rear = box(from(-kFar, -kFar, -kFar), from(0, 0, 0.006));
   const Selector left_rear = box(from(-kFar, 0, -kFar), from(0, kFar, 0.006));
   p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.1, 0, 0.25))}),
-             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.3, 0))}), pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.05))}),
+             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.3, 0))}),
+             pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.05))}),
              pose("looking aside", "body", {feet}, {pull(nose, from(0, 0.35, 0))}),
              pose("foot lifted", "body", {front_feet, right_rear}, {pull(left_rear, from(-0.3, 0.1, 0.5))})};
   p.poses[2].pose.gravity = Gravity{};
@@ -134,7 +135,7 @@ Result<RodMeshExample> smiley_example() {
   p.rods.material = soft.name;
   p.rods.edges = 4;
   p.design.radii = Vec2(1e-3, 4e-3);
-  p.print.bed = Vec3(0.34, 0.34, 0.6);  // EOS P 396
+  p.print.bed = Vec3(0.34, 0.34, 0.6);               // EOS P 396
   constexpr double kHalf = 0.125, kPulled = 0.0625;  // m
   MeshPose smile;
   smile.pose.name = "smile";

@@ -91,10 +91,8 @@ std::vector<PrintFinding> bed_findings(const std::vector<RodSolid>& solids, cons
     const double over = size[i] - process.bed[i];
     if (over > 0) by += fmt::format("{}{:.1f} mm too long along {}", by.empty() ? "" : ", ", 1e3 * over, kAxes[i]);
   }
-  return {
-      {Weight::kError, "too large",
-       in_mm(size) + " on a bed of " + in_mm(process.bed),
-       excess(size), by + ": use a larger printer, or cut the structure into parts that are joined later"}};
+  return {{Weight::kError, "too large", in_mm(size) + " on a bed of " + in_mm(process.bed), excess(size),
+           by + ": use a larger printer, or cut the structure into parts that are joined later"}};
 }
 
 }  // namespace

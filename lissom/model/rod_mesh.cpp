@@ -92,7 +92,8 @@ Status RodMeshProject::validate() const {
   if (Status s = check_material(*this); !s) return s;
   if (Status s = check_design(*this); !s) return s;
   if (print.bed && !(print.bed->minCoeff() > 0 && print.bed->allFinite())) {
-    return Error{ErrorCode::kRange, "/print/bed", "a bed needs three lengths above 0", "for example [250, 210, 210] mm"};
+    return Error{ErrorCode::kRange, "/print/bed", "a bed needs three lengths above 0",
+                 "for example [250, 210, 210] mm"};
   }
   for (std::size_t d = 0; d < deformers.size(); ++d) {
     for (std::size_t r = 0; r < deformers[d].regions.size(); ++r) {
