@@ -19,7 +19,7 @@
 
 #include "bench/timing.h"
 #include "lissom/core/file_io.h"
-#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/settled.h"
 #include "lissom/geometry/line_patterns.h"
 #include "lissom/view/canvas.h"
 #include "scenes/cells.h"
@@ -51,19 +51,27 @@ const std::array<SheetShape, 3>& sheet_shapes() {
 
 std::string name_of(std::size_t shape) { return std::string(scene_models::cell_shapes()[shape].name); }
 
+struct Settled {
+  System system;
+  Equilibrium found;
+};
+
+/// The first pose of a model; nothing, with the reason on standard error, where it takes no stable shape.
+std::optional<Settled> settle(const Model& model) {
+  Result<System> system = make_system(model);
+  if (!system) return std::fprintf(stderr, "%s\n", system.error().text().c_str()), std::nullopt;
+  Result<Equilibrium> found = settled(model, system.value(), model.poses[0], "/poses/0", {});
+  if (!found) return std::fprintf(stderr, "%s\n", found.error().text().c_str()), std::nullopt;
+  if (found.value().verdict != Verdict::kStable) {
+    return std::fprintf(stderr, "%s: %s\n", model.title.c_str(), found.value().message.c_str()), std::nullopt;
+  }
+  return Settled{std::move(system).value(), std::move(found).value()};
+}
+
 /// Elastic energy of a cell with its corner moved, J; nothing where no stable shape was found.
 std::optional<double> energy_at(std::size_t shape, const Vec2& by) {
-  const Model model = scene_models::moved_cell(scene_models::cell_shapes()[shape], by);
-  const Pose& pose = model.poses[0];
-  const Result<System> system = make_system(model);
-  if (!system) return std::fprintf(stderr, "%s\n", system.error().text().c_str()), std::nullopt;
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, "/poses/0");
-  if (!problem) return std::fprintf(stderr, "%s\n", problem.error().text().c_str()), std::nullopt;
-  SolveOptions options;
-  options.modes = 0;
-  const Equilibrium found = solve(problem.value(), start_state(problem.value(), pose), 1, options, {});
-  if (found.verdict != Verdict::kStable) return std::nullopt;
-  return found.energy;
+  const std::optional<Settled> cell = settle(scene_models::moved_cell(scene_models::cell_shapes()[shape], by));
+  return cell ? std::optional<double>(cell->found.energy) : std::nullopt;
 }
 
 struct FieldOfEnergies {
@@ -134,18 +142,13 @@ Result<std::string> draw_fields(const std::vector<FieldOfEnergies>& fields) {
   return canvas.finish("Energy of cells whose corner is moved");
 }
 
-struct HungSheet {
-  System system;
-  State state;
-};
-
 enum class HungBy { kUpperSide, kUpperCorners };
 
 Selector joints_where(const ObjLines& lines, const std::function<bool(const Vec3&)>& wanted) {
   Selector all;
   all.kind = Selector::Kind::kUnion;
   for (const Vec3& x : lines.points) {
-    if (wanted(x)) all.parts.push_back(scene_models::at_place(x.head<2>()));
+    if (wanted(x)) all.parts.push_back(scene_models::at_point(x));
   }
   return all;
 }
@@ -171,7 +174,7 @@ Pose hung_pose(const ObjLines& lines, const Vec3& low, const Vec3& high, HungBy 
   return pose;
 }
 
-std::optional<HungSheet> hang(std::size_t number, HungBy by) {
+std::optional<Settled> hang(std::size_t number, HungBy by) {
   const SheetShape& shape = sheet_shapes()[number];
   const ObjLines lines = shape.pattern(shape.side, shape.columns, shape.rows);
   Vec3 low = lines.points.front(), high = low;
@@ -180,33 +183,26 @@ std::optional<HungSheet> hang(std::size_t number, HungBy by) {
     high = high.cwiseMax(x);
   }
   Model model = scene_models::sheet(name_of(number), lines, kRadius, "TPU 92A", kEdges);
-  const Pose pose = hung_pose(lines, low, high, by);
-  model.poses = {pose};
-  const Result<System> system = make_system(model);
-  if (!system) return std::fprintf(stderr, "%s\n", system.error().text().c_str()), std::nullopt;
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, "/poses/0");
-  if (!problem) return std::fprintf(stderr, "%s\n", problem.error().text().c_str()), std::nullopt;
-  SolveOptions options;
-  options.modes = 0;
-  const Equilibrium found = solve(problem.value(), start_state(problem.value(), pose), 1, options, {});
-  if (found.verdict != Verdict::kStable) return std::fprintf(stderr, "%s\n", found.message.c_str()), std::nullopt;
+  model.poses = {hung_pose(lines, low, high, by)};
+  std::optional<Settled> sheet = settle(model);
+  if (!sheet) return std::nullopt;
   // The weight's work by the weight: the mean way of the loaded joints.
-  const Structure& structure = system.value().structure;
-  const Result<std::vector<int>> loaded = select(model, structure, pose.forces[0].at, "loaded");
+  const Structure& structure = sheet->system.structure;
+  const Result<std::vector<int>> loaded = select(model, structure, model.poses[0].forces[0].at, "loaded");
   if (!loaded) return std::fprintf(stderr, "%s\n", loaded.error().text().c_str()), std::nullopt;
   double lowered = 0;
   for (const int n : loaded.value()) {
-    lowered += (structure.nodes[static_cast<std::size_t>(n)] - found.state.position(n))[1];
+    lowered += (structure.nodes[static_cast<std::size_t>(n)] - sheet->found.state.position(n))[1];
   }
   const std::string name =
       "sheet of " + name_of(number) + "s by its upper " + (by == HungBy::kUpperSide ? "side" : "corners");
   row(name, "height", 1e3 * (high[1] - low[1]), "mm");
   row(name, "cells", static_cast<double>(lines.segments.size()) - static_cast<double>(lines.points.size()) + 1, "");
   row(name, "lowered by", 1e3 * lowered / static_cast<double>(loaded.value().size()), "mm");
-  return HungSheet{system.value(), found.state};
+  return sheet;
 }
 
-Result<std::string> draw_sheets(const std::vector<HungSheet>& sheets) {
+Result<std::string> draw_sheets(const std::vector<Settled>& sheets) {
   constexpr int kPanel = 420, kHeight = 480;
   constexpr double kScale = 1500;  // px/m
   Canvas canvas(ImageFormat::kPng, kPanel * static_cast<int>(sheets.size()), kHeight);
@@ -221,7 +217,7 @@ Result<std::string> draw_sheets(const std::vector<HungSheet>& sheets) {
         std::vector<Vec2> line;
         for (const int node : rod.nodes) {
           line.push_back(
-              px(deformed ? sheets[f].state.position(node) : structure.nodes[static_cast<std::size_t>(node)]));
+              px(deformed ? sheets[f].found.state.position(node) : structure.nodes[static_cast<std::size_t>(node)]));
         }
         canvas.polyline(line, {deformed ? Color{0.0, 0.45, 0.7} : kFaint, deformed ? 3.0 : 1.5});
       }
@@ -241,11 +237,11 @@ int write(const std::filesystem::path& file, const Result<std::string>& bytes) {
 
 int run(const char* folder) {
   std::vector<FieldOfEnergies> fields;
-  std::vector<HungSheet> sheets;
+  std::vector<Settled> sheets;
   for (std::size_t shape = 0; shape < sheet_shapes().size(); ++shape) {
     fields.push_back(field_of(shape));
     hang(shape, HungBy::kUpperSide);
-    std::optional<HungSheet> sheet = hang(shape, HungBy::kUpperCorners);
+    std::optional<Settled> sheet = hang(shape, HungBy::kUpperCorners);
     if (!sheet) return 1;
     sheets.push_back(std::move(*sheet));
   }

@@ -30,13 +30,6 @@ std::vector<Vec2> cell_corners(const CellShape& shape) {
   return corners;
 }
 
-Selector at_place(const Vec2& place) {
-  Selector selector;
-  selector.kind = Selector::Kind::kPoint;
-  selector.point = Vec3(place[0], place[1], 0);
-  return selector;
-}
-
 Support held_in_plane() {
   Selector all;
   all.kind = Selector::Kind::kAll;
@@ -46,19 +39,15 @@ Support held_in_plane() {
 }
 
 Model moved_cell(const CellShape& shape, const Vec2& by) {
-  const std::vector<Vec2> corners = cell_corners(shape);
   ObjLines lines;
-  for (int k = 0; k < shape.corners; ++k) {
-    const Vec2& x = corners[static_cast<std::size_t>(k)];
-    lines.points.emplace_back(x[0], x[1], 0);
-    lines.segments.push_back({k, (k + 1) % shape.corners});
-  }
+  for (const Vec2& x : cell_corners(shape)) lines.points.emplace_back(x[0], x[1], 0);
+  for (int k = 0; k < shape.corners; ++k) lines.segments.push_back({k, (k + 1) % shape.corners});
   Model model = sheet(std::string(shape.name), lines, kRadius, "TPU 92A", kEdges);
   Pose pose;
   pose.name = "moved";
-  const std::size_t moved = static_cast<std::size_t>(shape.moved);
-  pose.supports = {held_in_plane(), hold(at_place(corners[0]), SupportKind::kPin),
-                   hold(at_place(corners[1]), SupportKind::kPin), hold(at_place(corners[moved]), SupportKind::kPin)};
+  pose.supports = {held_in_plane(), hold(at_point(lines.points[0]), SupportKind::kPin),
+                   hold(at_point(lines.points[1]), SupportKind::kPin),
+                   hold(at_point(lines.points[static_cast<std::size_t>(shape.moved)]), SupportKind::kPin)};
   pose.supports.back().move = Vec3(by[0], by[1], 0);
   model.poses = {pose};
   return model;

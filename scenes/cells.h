@@ -29,7 +29,4 @@ Model moved_cell(const CellShape& shape, const Vec2& by);
 /// Holds everything in the x-y plane.
 Support held_in_plane();
 
-/// The node at a point of the x-y plane, m.
-Selector at_place(const Vec2& place);
-
 }  // namespace lissom::scene_models

@@ -35,6 +35,13 @@ Selector box(const Vec3& low, const Vec3& high) {
   return at;
 }
 
+Selector at_point(const Vec3& point) {
+  Selector at;
+  at.kind = Selector::Kind::kPoint;
+  at.point = point;
+  return at;
+}
+
 Support hold(Selector at, SupportKind kind) {
   Support support;
   support.at = std::move(at);

@@ -14,6 +14,7 @@ Rod round_rod(std::string name, Curve curve, double radius, std::string material
 
 Selector rod_place(std::string rod, double fraction);
 Selector box(const Vec3& low, const Vec3& high);
+Selector at_point(const Vec3& point);
 
 Support hold(Selector at, SupportKind kind);
 

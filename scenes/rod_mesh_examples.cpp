@@ -33,6 +33,15 @@ MeshPose pose(std::string name, std::string deformer, const std::vector<Selector
   return made;
 }
 
+RodMeshExample begun(const char* title, const char* source, const char* file) {
+  RodMeshExample made;
+  made.project.title = title;
+  made.project.source = source;
+  made.project.surface.file = file;
+  made.project.surface.unit = 1e-3;
+  return made;
+}
+
 DeformerRegion softer(const Vec3& low, const Vec3& high, double factor, double blend) {
   DeformerRegion region;
   region.low = low;
@@ -55,12 +64,8 @@ DeformerBrief felt(std::string name, double modulus) {
 }  // namespace
 
 Result<RodMeshExample> hat_example() {
-  RodMeshExample made;
+  RodMeshExample made = begun("Hat", "thesis, table 5.1 and figure 5.7; the surface is our own", "hat.ply");
   RodMeshProject& p = made.project;
-  p.title = "Hat";
-  p.source = "thesis, table 5.1 and figure 5.7; the surface is our own";
-  p.surface.file = "hat.ply";
-  p.surface.unit = 1e-3;
   p.topology = CellTopology{64, 1, 1};
   p.rods.shortest = 0.45;
   DeformerBrief soft_front = felt("soft in front", 2e7), soft_left = felt("soft on the left", 2e7);
@@ -82,12 +87,8 @@ Result<RodMeshExample> hat_example() {
 Result<RodMeshExample> dinosaur_example() {
   Result<Surface> surface = dinosaur_surface();
   if (!surface) return surface.error();
-  RodMeshExample made;
+  RodMeshExample made = begun("Dinosaur", "thesis, table 5.1 and figure 5.8; the surface is our own", "dinosaur.ply");
   RodMeshProject& p = made.project;
-  p.title = "Dinosaur";
-  p.source = "thesis, table 5.1 and figure 5.8; the surface is our own";
-  p.surface.file = "dinosaur.ply";
-  p.surface.unit = 1e-3;
   p.topology = DualTopology{222};
   DeformerBrief body;
   body.name = "body";
@@ -118,12 +119,8 @@ Result<RodMeshExample> dinosaur_example() {
 }
 
 Result<RodMeshExample> smiley_example() {
-  RodMeshExample made;
+  RodMeshExample made = begun("Smiley", "thesis, table 5.1 and figure 5.9; the face is our own", "face.ply");
   RodMeshProject& p = made.project;
-  p.title = "Smiley";
-  p.source = "thesis, table 5.1 and figure 5.9; the face is our own";
-  p.surface.file = "face.ply";
-  p.surface.unit = 1e-3;
   p.topology = CellTopology{240, 2, 1};
   Material soft;
   soft.name = "soft TPU";

@@ -1,6 +1,6 @@
 #include "scenes/settled_places.h"
 
-#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/settled.h"
 
 namespace lissom::scene_models {
 
@@ -8,19 +8,16 @@ Result<std::vector<Vec3>> settled_places(const Model& model, int pose, const Con
   const Result<System> system = make_system(model);
   if (!system) return system.error();
   const Pose& described = model.poses[static_cast<std::size_t>(pose)];
-  const Result<StaticProblem> problem =
-      make_static_problem(model, system.value(), described, "/poses/" + std::to_string(pose));
-  if (!problem) return problem.error();
-  SolveOptions options;
-  options.modes = 0;
-  const Equilibrium found = solve(problem.value(), start_state(problem.value(), described), 1, options, context);
-  if (found.verdict != Verdict::kStable) {
-    return Error{ErrorCode::kConflict, described.name, "the wanted shape is not stable: " + found.message,
+  const Result<Equilibrium> found =
+      settled(model, system.value(), described, "/poses/" + std::to_string(pose), context);
+  if (!found) return found.error();
+  if (found.value().verdict != Verdict::kStable) {
+    return Error{ErrorCode::kConflict, described.name, "the wanted shape is not stable: " + found.value().message,
                  "ask for a gentler one"};
   }
   std::vector<Vec3> places;
   for (int i = 0; i < static_cast<int>(system.value().structure.nodes.size()); ++i) {
-    places.push_back(found.state.position(i));
+    places.push_back(found.value().state.position(i));
   }
   return places;
 }

@@ -39,13 +39,6 @@ std::vector<Vec3> side_nodes(const Model& model, int axis, double sign) {
   return places;
 }
 
-Selector at_point(const Vec3& x) {
-  Selector selector;
-  selector.kind = Selector::Kind::kPoint;
-  selector.point = x;
-  return selector;
-}
-
 /// Held at the negative end of `axis`, `force` (N, in all) at the other one.
 Pose side_pose(const Model& model, std::string name, int axis, const Vec3& force, double stiffness) {
   Pose pose;

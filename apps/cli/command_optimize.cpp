@@ -7,6 +7,7 @@
 #include "apps/cli/command.h"
 #include "apps/cli/input.h"
 #include "apps/cli/terminal.h"
+#include "lissom/model/brief_methods.h"
 #include "lissom/session/design_run.h"
 
 namespace lissom::cli {
@@ -75,8 +76,7 @@ void add_optimize(CLI::App& app, Runner& chosen) {
   command->add_option("file", arguments->file, kInputHelp)->required();
   command->add_option("-o,--output", arguments->folder, "Folder for results [out, next to the document]");
   command->add_option("--method", arguments->method,
-                      "gauss_newton, bfgs, structured_bfgs, dennis_gay_welsch, levenberg_marquardt or newton "
-                      "[that of the document]");
+                      fmt::format("{} [that of the document]", fmt::join(kBriefMethods, ", ")));
   command->add_option("--iterations", arguments->iterations, "Limit of iterations [that of the document]")
       ->check(CLI::Range(1, 1000000));
   command->add_flag("--resume", arguments->resume, "Go on from the checkpoint in the folder");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <queue>
 #include <tuple>
-#include <utility>
 
 #include "lissom/core/assert.h"
 
@@ -80,24 +79,6 @@ std::vector<int> CellGrowth::euler_numbers(const Surface& surface, std::span<con
     if (c >= 0 && cell_of(corner[1]) == c && cell_of(corner[2]) == c) ++number[static_cast<std::size_t>(c)];
   }
   return number;
-}
-
-bool CellGrowth::connected() const {
-  const auto count = first_.size() - 1;
-  std::vector<char> seen(count, 0);
-  std::vector<int> front{0};
-  std::size_t reached = 1;
-  seen[0] = 1;
-  while (!front.empty()) {
-    const int v = front.back();
-    front.pop_back();
-    for (const int next : around(v)) {
-      if (std::exchange(seen[static_cast<std::size_t>(next)], 1) != 0) continue;
-      ++reached;
-      front.push_back(next);
-    }
-  }
-  return reached == count;
 }
 
 }  // namespace lissom

@@ -20,9 +20,6 @@ class CellGrowth {
   /// Per cell: its vertices minus its edges plus its triangles, which is 1 for a disc.
   std::vector<int> euler_numbers(const Surface& surface, std::span<const int> cell, int cells) const;
 
-  /// Whether edges connect all vertices.
-  bool connected() const;
-
  private:
   std::span<const int> around(int vertex) const;
 

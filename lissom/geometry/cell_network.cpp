@@ -7,6 +7,7 @@
 
 #include "lissom/core/assert.h"
 #include "lissom/geometry/surface_boundary.h"
+#include "lissom/geometry/surface_topology.h"
 
 namespace lissom {
 
@@ -20,10 +21,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Tracer {
  public:
   Tracer(const Surface& surface, const SurfaceCells& cells, const std::string& where)
-      : surface_(surface), where_(where), cells_(cells), neighbours_(triangle_neighbours(cells.fine.surface)) {}
+      : surface_(surface), where_(where), cells_(cells), mates_(side_mates(cells.fine.surface.triangles)) {}
 
   Result<SurfaceNetwork> run() {
-    const int triangles = static_cast<int>(neighbours_.size());
+    const int triangles = static_cast<int>(cells_.fine.surface.triangles.size());
     joint_in_.assign(at(triangles), -1);
     for (int t = 0; t < triangles; ++t) {
       if (distinct(t) != 3) continue;
@@ -33,7 +34,7 @@ class Tracer {
     find_patches();
     for (int t = 0; t < triangles; ++t) {
       for (int i = 0; i < 3; ++i) {
-        if (neighbours_[at(t)][at(i)] < 0 && cell(t, i) != cell(t, i + 1)) begin_at_boundary(t, i);
+        if (mates_[at(3 * t + i)] < 0 && cell(t, i) != cell(t, i + 1)) begin_at_boundary(t, i);
       }
     }
     for (int t = 0; t < triangles; ++t) {
@@ -53,7 +54,7 @@ class Tracer {
   /// Given triangles that each cell touches.
   void find_patches() {
     patch_.resize(cells_.site.size());
-    for (int t = 0; t < static_cast<int>(neighbours_.size()); ++t) {
+    for (int t = 0; t < static_cast<int>(cells_.fine.surface.triangles.size()); ++t) {
       for (int i = 0; i < 3; ++i) patch_[at(cell(t, i))].push_back(cells_.fine.origin[at(t)]);
     }
     for (std::vector<int>& triangles : patch_) {
@@ -91,11 +92,8 @@ class Tracer {
 
   /// The triangle beyond an edge, and which of its edges that is.
   std::pair<int, int> across(int t, int i) const {
-    const int next = neighbours_[at(t)][at(i)];
-    if (next < 0) return {-1, -1};
-    int edge = 0;
-    while (neighbours_[at(next)][at(edge)] != t || vertex(next, edge) != vertex(t, i + 1)) ++edge;
-    return {next, edge};
+    const int mate = mates_[at(3 * t + i)];
+    return mate < 0 ? std::pair(-1, -1) : std::pair(mate / 3, mate % 3);
   }
 
   /// From a triangle entered through an edge to the joint at which the border ends.
@@ -127,7 +125,7 @@ class Tracer {
   const Surface& surface_;
   const std::string& where_;
   const SurfaceCells& cells_;
-  std::vector<std::array<int, 3>> neighbours_;
+  std::vector<int> mates_;                // per side
   std::vector<int> joint_in_;             // per fine triangle
   std::vector<std::vector<int>> patch_;   // per cell
   std::set<std::pair<int, int>> passed_;  // ends of lines: triangle and edge through which they leave it

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "lissom/geometry/surface_locate.h"
-#include "lissom/geometry/surface_refine.h"
+#include "lissom/geometry/surface_note.h"
+#include "lissom/geometry/surface_topology.h"
 
 namespace lissom {
 
@@ -17,7 +18,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Drawer {
  public:
   Drawer(const Surface& surface, const ObjLines& drawn, double corner, const std::string& where)
-      : surface_(surface), drawn_(drawn), corner_(corner), where_(where), neighbours_(triangle_neighbours(surface)) {
+      : surface_(surface), drawn_(drawn), corner_(corner), where_(where), mates_(side_mates(surface.triangles)) {
     segments_at_.resize(drawn.points.size());
     for (int s = 0; s < static_cast<int>(drawn.segments.size()); ++s) {
       for (const int p : drawn.segments[at(s)]) segments_at_[at(p)].push_back(s);
@@ -73,12 +74,12 @@ class Drawer {
     while (true) {
       used_[at(segment)] = 1;
       const int next = far_end(segment, point);
-      const std::vector<int> patch = triangles_near(surface_, neighbours_, place_[at(point)], place_[at(next)]);
+      const std::vector<int> patch = triangles_near(surface_, mates_, place_[at(point)], place_[at(next)]);
       const std::optional<SurfacePath> piece = shortest_path(surface_, patch, place_[at(point)], place_[at(next)]);
       if (!piece) {
         return Error{ErrorCode::kGeometry, where_,
                      fmt::format("points {} and {} of the drawing, near {}, have no path between them on the surface",
-                                 point + 1, next + 1, place_in_mm(position(surface_, place_[at(point)]))),
+                                 point + 1, next + 1, in_millimetres(position(surface_, place_[at(point)]))),
                      "draw them apart, on one piece of the surface"};
       }
       line.path.insert(line.path.end(), piece->begin(), piece->end());
@@ -125,7 +126,7 @@ class Drawer {
   const ObjLines& drawn_;
   const double corner_;  // rad
   const std::string& where_;
-  std::vector<std::array<int, 3>> neighbours_;
+  std::vector<int> mates_;                     // per side
   std::vector<std::vector<int>> segments_at_;  // per point
   std::vector<SurfacePlace> place_;            // per point
   std::vector<int> joint_;                     // per point; -1: none

@@ -5,7 +5,7 @@
 #include "lissom/geometry/surface_boundary.h"
 #include "lissom/geometry/surface_decimate.h"
 #include "lissom/geometry/surface_locate.h"
-#include "lissom/geometry/surface_refine.h"
+#include "lissom/geometry/surface_topology.h"
 
 namespace lissom {
 
@@ -36,18 +36,17 @@ Result<SurfaceNetwork> dual_network(const Surface& surface, const DualOptions& o
     const Vec3 normal = area_vector(coarse, t);
     network.joints.push_back({nearest_place(surface, centre(coarse, t), normal), SurfaceJoint::Kind::kInside});
   }
-  const std::vector<std::array<int, 3>> adjacent = triangle_neighbours(coarse),
-                                        neighbours = triangle_neighbours(surface);
+  const std::vector<int> adjacent = side_mates(coarse.triangles), mates = side_mates(surface.triangles);
   const std::vector<BoundaryLoop> loops = boundary_loops(surface);
   const auto connect = [&](int a, int b) {
     const SurfacePlace from = network.joints[at(a)].place, to = network.joints[at(b)].place;
-    network.lines.push_back({{a, b}, {}, false, triangles_near(surface, neighbours, from, to)});
+    network.lines.push_back({{a, b}, {}, false, triangles_near(surface, mates, from, to)});
   };
   for (int t = 0; t < left; ++t) {
     for (int i = 0; i < 3; ++i) {
-      const int other = adjacent[at(t)][at(i)];
-      if (other > t) connect(t, other);
-      if (other >= 0) continue;
+      const int mate = adjacent[at(3 * t + i)];
+      if (mate / 3 > t) connect(t, mate / 3);
+      if (mate >= 0) continue;
       const std::array<int, 3>& corner = coarse.triangles[at(t)];
       const Vec3 middle = 0.5 * (coarse.vertices[at(corner[at(i)])] + coarse.vertices[at(corner[at((i + 1) % 3)])]);
       network.joints.push_back({nearest_on_boundary(surface, loops, middle), SurfaceJoint::Kind::kBoundary});

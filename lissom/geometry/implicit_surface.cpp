@@ -7,6 +7,9 @@
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
 
+#include "lissom/geometry/cgal_surface.h"
+#include "lissom/geometry/surface_topology.h"
+
 namespace lissom {
 
 namespace {
@@ -44,23 +47,8 @@ Result<Surface> implicit_surface(const ImplicitShape& shape, const ImplicitOptio
     return Error{
         ErrorCode::kGeometry, {}, "the shape has no closed surface inside of the sphere", "take a larger sphere"};
   }
-  Surface made;
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    made.vertices.emplace_back(p.x(), p.y(), p.z());
-  }
-  double volume = 0;
-  for (const Mesh::Face_index face : mesh.faces()) {
-    std::array<int, 3> corner{};
-    std::size_t i = 0;
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face))) {
-      corner[i++] = static_cast<int>(static_cast<Mesh::size_type>(v));
-    }
-    made.triangles.push_back(corner);
-    volume += made.vertices[static_cast<std::size_t>(corner[0])].dot(
-        area_vector(made, static_cast<int>(made.triangles.size()) - 1));
-  }
-  if (volume < 0) {
+  Surface made = surface_of(mesh);
+  if (enclosed_volume(made) < 0) {
     for (std::array<int, 3>& corner : made.triangles) std::swap(corner[1], corner[2]);
   }
   return made;

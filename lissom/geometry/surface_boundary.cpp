@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
-#include "lissom/core/assert.h"
-#include "lissom/geometry/surface_refine.h"
+#include "lissom/geometry/surface_note.h"
+#include "lissom/geometry/surface_topology.h"
 
 namespace lissom {
 
@@ -83,26 +82,13 @@ void add_corners(const Surface& surface, const BoundaryLoop& loop, double corner
 }  // namespace
 
 std::vector<BoundaryLoop> boundary_loops(const Surface& surface) {
-  const std::vector<std::array<int, 3>> neighbours = triangle_neighbours(surface);
-  std::unordered_map<int, BoundaryEdge> leaving;  // by the vertex at which an edge begins
-  std::vector<BoundaryEdge> edges;
-  for (int t = 0; t < static_cast<int>(neighbours.size()); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      if (neighbours[at(t)][at(i)] >= 0) continue;
-      edges.push_back({t, i});
-      LISSOM_ASSERT(leaving.try_emplace(begin_vertex(surface, edges.back()), edges.back()).second);
-    }
-  }
+  std::vector<std::vector<int>> rims = rim_loops(surface.triangles, side_mates(surface.triangles));
+  for (std::vector<int>& rim : rims) std::rotate(rim.begin(), std::min_element(rim.begin(), rim.end()), rim.end());
+  std::sort(rims.begin(), rims.end());
   std::vector<BoundaryLoop> loops;
-  for (const BoundaryEdge& first : edges) {
-    const int begin = begin_vertex(surface, first);
-    if (leaving.count(begin) == 0) continue;  // passed already
-    BoundaryLoop loop;
-    for (int v = begin; loop.empty() || v != begin; v = end_vertex(surface, loop.back())) {
-      loop.push_back(leaving.at(v));
-      leaving.erase(v);
-    }
-    loops.push_back(std::move(loop));
+  for (const std::vector<int>& rim : rims) {
+    BoundaryLoop& loop = loops.emplace_back();
+    for (const int side : rim) loop.push_back({side / 3, side % 3});
   }
   return loops;
 }
@@ -135,7 +121,7 @@ Status add_boundary_lines(const Surface& surface, double corner, SurfaceNetwork&
     std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.along < b.along; });
     if (marks.size() < 2) {
       return Error{ErrorCode::kGeometry, where,
-                   "the boundary at " + place_in_mm(surface.vertices[at(begin_vertex(surface, loop[0]))]) +
+                   "the boundary at " + in_millimetres(surface.vertices[at(begin_vertex(surface, loop[0]))]) +
                        " meets fewer than two lines",
                    "close the hole, or ask for more cells"};
     }

@@ -8,6 +8,7 @@
 
 #include "lissom/core/assert.h"
 #include "lissom/geometry/cell_growth.h"
+#include "lissom/geometry/surface_topology.h"
 #include "lissom/geometry/triangle_point.h"
 
 namespace lissom {
@@ -267,7 +268,7 @@ Result<SurfaceCells> tessellate(const Surface& surface, const CellOptions& optio
     return Error{ErrorCode::kRange, where + "/contrast", "the contrast of cell widths has to be 1 or more",
                  "1 makes all cells alike, 3 makes cells on black a third as wide as on white"};
   }
-  if (surface.triangles.empty() || !CellGrowth(surface).connected()) {
+  if (surface_pieces(side_mates(surface.triangles)).count != 1) {
     return Error{ErrorCode::kGeometry, where, "cells need one connected surface", "keep one part of it"};
   }
   return Tessellation(surface, options).run(context);

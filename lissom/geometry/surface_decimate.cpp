@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <boost/property_map/function_property_map.hpp>
 
+#include "lissom/geometry/cgal_surface.h"
+
 namespace lissom {
 
 namespace {
@@ -51,20 +53,7 @@ Surface decimate(const Surface& surface, int triangles) {
   mesh.collect_garbage();
   CGAL::Polygon_mesh_processing::tangential_relaxation(
       mesh, CGAL::parameters::number_of_iterations(kRelaxations).edge_is_constrained_map(boundary_edges(mesh)));
-  Surface coarse;
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    const Kernel::Point_3& x = mesh.point(v);
-    coarse.vertices.emplace_back(x.x(), x.y(), x.z());
-  }
-  for (const Mesh::Face_index face : mesh.faces()) {
-    std::array<int, 3> corner{};
-    std::size_t i = 0;
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face))) {
-      corner[i++] = static_cast<int>(static_cast<Mesh::size_type>(v));
-    }
-    coarse.triangles.push_back(corner);
-  }
-  return coarse;
+  return surface_of(mesh);
 }
 
 }  // namespace lissom

@@ -20,14 +20,15 @@ const Vec3& corner_of(const Surface& surface, int triangle, int i) {
 }
 
 /// Everything connected to a triangle that touches a ball.
-std::vector<int> connected_in_ball(const Surface& surface, const std::vector<std::array<int, 3>>& neighbours, int first,
-                                   const Vec3& centre, double radius) {
+std::vector<int> connected_in_ball(const Surface& surface, const std::vector<int>& mates, int first, const Vec3& centre,
+                                   double radius) {
   std::vector<int> found{first};
   std::vector<char> seen(surface.triangles.size(), 0);
   seen[at(first)] = 1;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    for (const int next : neighbours[at(found[k])]) {
-      if (next < 0 || seen[at(next)] != 0) continue;
+    for (int i = 0; i < 3; ++i) {
+      const int mate = mates[at(3 * found[k] + i)], next = mate / 3;
+      if (mate < 0 || seen[at(next)] != 0) continue;
       seen[at(next)] = 1;
       const Vec3 w = nearest_in_triangle(corner_of(surface, next, 0), corner_of(surface, next, 1),
                                          corner_of(surface, next, 2), centre);
@@ -54,12 +55,12 @@ SurfacePlace nearest_place(const Surface& surface, const Vec3& x, const std::opt
   return nearest.triangle >= 0 || !normal ? nearest : nearest_place(surface, x);
 }
 
-std::vector<int> triangles_near(const Surface& surface, const std::vector<std::array<int, 3>>& neighbours,
-                                const SurfacePlace& from, const SurfacePlace& to) {
+std::vector<int> triangles_near(const Surface& surface, const std::vector<int>& mates, const SurfacePlace& from,
+                                const SurfacePlace& to) {
   const Vec3 a = position(surface, from), b = position(surface, to), middle = 0.5 * (a + b);
   std::vector<int> found;
   for (double radius = kReach * (b - a).norm(); true; radius *= 1.5) {
-    found = connected_in_ball(surface, neighbours, from.triangle, middle, radius);
+    found = connected_in_ball(surface, mates, from.triangle, middle, radius);
     if (std::binary_search(found.begin(), found.end(), to.triangle)) return found;
     if (radius > 1e3 * (b - a).norm() || found.size() == surface.triangles.size()) break;
   }

@@ -13,9 +13,9 @@ namespace lissom {
 SurfacePlace nearest_place(const Surface& surface, const Vec3& x, const std::optional<Vec3>& normal = {});
 
 /// Triangles for a path between two places: all that are connected to the first one inside a ball about the middle that is
-/// large enough to connect them, ascending. `neighbours` as triangle_neighbours() gives them.
-std::vector<int> triangles_near(const Surface& surface, const std::vector<std::array<int, 3>>& neighbours,
-                                const SurfacePlace& from, const SurfacePlace& to);
+/// large enough to connect them, ascending. `mates` as side_mates() gives them.
+std::vector<int> triangles_near(const Surface& surface, const std::vector<int>& mates, const SurfacePlace& from,
+                                const SurfacePlace& to);
 
 /// Unit normals at the vertices, weighted with the angles of the triangles.
 std::vector<Vec3> vertex_normals(const Surface& surface);

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "lissom/geometry/surface_note.h"
+
 namespace lissom {
 
 namespace {
@@ -22,8 +24,8 @@ Status find_path(const Surface& surface, const SurfaceNetwork& network, SurfaceL
   std::optional<SurfacePath> path = shortest_path(surface, line.patch, from, to);
   if (!path) {
     return Error{ErrorCode::kGeometry, where,
-                 fmt::format("no path on the surface leads from {} to {}", place_in_mm(position(surface, from)),
-                             place_in_mm(position(surface, to))),
+                 fmt::format("no path on the surface leads from {} to {}", in_millimetres(position(surface, from)),
+                             in_millimetres(position(surface, to))),
                  "mend the surface there (`lissom surface` names its defects), or ask for another number of cells"};
   }
   line.path = std::move(*path);
@@ -213,7 +215,7 @@ Status check_network(const Surface& surface, const SurfaceNetwork& network, cons
     if (line.joint[0] == line.joint[1] || !(path_length(surface, line.path) > 0)) {
       return Error{
           ErrorCode::kGeometry, where,
-          "a line begins and ends at " + place_in_mm(position(surface, network.joints[at(line.joint[0])].place)),
+          "a line begins and ends at " + in_millimetres(position(surface, network.joints[at(line.joint[0])].place)),
           "ask for more cells there"};
     }
     part[at(root(line.joint[0]))] = root(line.joint[1]);
@@ -222,15 +224,11 @@ Status check_network(const Surface& surface, const SurfaceNetwork& network, cons
     if (root(j) == root(0)) continue;
     return Error{ErrorCode::kGeometry, where,
                  fmt::format("no lines connect the joints at {} and at {}",
-                             place_in_mm(position(surface, network.joints[0].place)),
-                             place_in_mm(position(surface, network.joints[at(j)].place))),
+                             in_millimetres(position(surface, network.joints[0].place)),
+                             in_millimetres(position(surface, network.joints[at(j)].place))),
                  "ask for more cells, or draw the lines that are missing"};
   }
   return {};
-}
-
-std::string place_in_mm(const Vec3& x) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * x[0], 1e3 * x[1], 1e3 * x[2]);
 }
 
 }  // namespace lissom

@@ -52,7 +52,4 @@ Status merge_short_lines(const Surface& surface, SurfaceNetwork& network, const 
 /// kGeometry at `where` unless lines connect all joints, each line has a length and joints apart.
 Status check_network(const Surface& surface, const SurfaceNetwork& network, const std::string& where);
 
-/// "(12.3, -4, 0) mm".
-std::string place_in_mm(const Vec3& x);
-
 }  // namespace lissom

@@ -137,23 +137,4 @@ SurfacePlace RefinedSurface::on_given(const SurfacePlace& place) const {
 
 RefinedSurface refine_surface(const Surface& surface, const EdgeLimit& limit) { return Refiner(surface, limit).run(); }
 
-std::vector<std::array<int, 3>> triangle_neighbours(const Surface& surface) {
-  const auto count = surface.triangles.size();
-  std::vector<std::array<int, 3>> neighbours(count, {-1, -1, -1});
-  std::unordered_map<uint64_t, std::array<int, 2>> first;  // triangle and edge
-  for (int t = 0; t < static_cast<int>(count); ++t) {
-    const std::array<int, 3>& corner = surface.triangles[static_cast<std::size_t>(t)];
-    for (int i = 0; i < 3; ++i) {
-      const uint64_t key = edge_key(corner[static_cast<std::size_t>(i)], corner[static_cast<std::size_t>((i + 1) % 3)]);
-      const auto [entry, fresh] = first.try_emplace(key, std::array{t, i});
-      if (fresh) continue;
-      const auto [other, edge] = entry->second;
-      LISSOM_ASSERT(neighbours[static_cast<std::size_t>(other)][static_cast<std::size_t>(edge)] < 0);
-      neighbours[static_cast<std::size_t>(other)][static_cast<std::size_t>(edge)] = t;
-      neighbours[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)] = other;
-    }
-  }
-  return neighbours;
-}
-
 }  // namespace lissom

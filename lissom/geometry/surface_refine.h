@@ -23,7 +23,4 @@ using EdgeLimit = std::function<double(double darkness)>;
 /// Halves edges, the longest first, until none is longer than wanted at its middle. Same input, same triangles.
 RefinedSurface refine_surface(const Surface& surface, const EdgeLimit& limit);
 
-/// Per triangle the neighbours across its edges (0, 1), (1, 2), (2, 0); -1 at a boundary. Manifold surfaces only.
-std::vector<std::array<int, 3>> triangle_neighbours(const Surface& surface);
-
 }  // namespace lissom

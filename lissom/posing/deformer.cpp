@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/settled.h"
 #include "lissom/geometry/surface_locate.h"
 #include "lissom/geometry/tetrahedra.h"
 #include "lissom/posing/stiffness_map.h"
@@ -119,10 +119,14 @@ Result<Deformer> Deformer::make(const DeformerBrief& brief, const Surface& surfa
     error.where = where;
     return error;
   }
+  Result<System> system = make_system(model);
+  if (!system) return system.error();
+  deformer.system_ = std::move(system).value();
   return deformer;
 }
 
-std::vector<Vec3> Deformer::on_surface(const Structure& structure, const std::vector<Vec3>& nodes) const {
+std::vector<Vec3> Deformer::on_surface(const std::vector<Vec3>& nodes) const {
+  const Structure& structure = system_.structure;
   const std::vector<int>& numbers = embedding_ ? structure.solids[0].nodes : structure.membranes[0].nodes;
   std::vector<Vec3> own;
   for (const int node : numbers) own.push_back(nodes[at(node)]);
@@ -130,35 +134,27 @@ std::vector<Vec3> Deformer::on_surface(const Structure& structure, const std::ve
 }
 
 Result<std::vector<Vec3>> Deformer::posed(const Pose& pose, const std::string& where, const Context& context) const {
-  Model model = model_;
-  model.poses = {pose};
-  const Result<System> system = make_system(model);
-  if (!system) return system.error();
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), pose, where);
-  if (!problem) return problem.error();
-  SolveOptions options;
-  options.modes = 0;
-  const Equilibrium found = solve(problem.value(), start_state(problem.value(), pose), 1, options, context);
-  if (found.verdict != Verdict::kStable) {
+  const Result<Equilibrium> found = settled(model_, system_, pose, where, context);
+  if (!found) return found.error();
+  if (found.value().verdict != Verdict::kStable) {
     return Error{ErrorCode::kConflict, where,
-                 fmt::format("the deformer \"{}\" takes no stable shape in pose \"{}\": {}", model.title, pose.name,
-                             found.message),
+                 fmt::format("the deformer \"{}\" takes no stable shape in pose \"{}\": {}", model_.title, pose.name,
+                             found.value().message),
                  "pull less, hold more, or make the deformer stiffer"};
   }
-  const Structure& structure = system.value().structure;
   std::vector<Vec3> nodes;
-  for (int i = 0; i < static_cast<int>(structure.nodes.size()); ++i) nodes.push_back(found.state.position(i));
-  return on_surface(structure, nodes);
+  for (int i = 0; i < static_cast<int>(system_.structure.nodes.size()); ++i) {
+    nodes.push_back(found.value().state.position(i));
+  }
+  return on_surface(nodes);
 }
 
 Result<VecX> Deformer::selected(const Selector& selector, const std::string& where) const {
-  const Result<Structure> structure = discretize(model_);
-  if (!structure) return structure.error();
-  const Result<std::vector<int>> nodes = select(model_, structure.value(), selector, where);
+  const Result<std::vector<int>> nodes = select(model_, system_.structure, selector, where);
   if (!nodes) return nodes.error();
-  std::vector<Vec3> marks(structure.value().nodes.size(), Vec3::Zero());
+  std::vector<Vec3> marks(system_.structure.nodes.size(), Vec3::Zero());
   for (const int node : nodes.value()) marks[at(node)][0] = 1;
-  const std::vector<Vec3> carried = on_surface(structure.value(), marks);
+  const std::vector<Vec3> carried = on_surface(marks);
   VecX share(static_cast<Eigen::Index>(carried.size()));
   for (Eigen::Index v = 0; v < share.size(); ++v) share[v] = carried[static_cast<std::size_t>(v)][0];
   return share;

@@ -10,9 +10,9 @@
 #include "lissom/core/result.h"
 #include "lissom/geometry/surface.h"
 #include "lissom/geometry/tetrahedra_embedding.h"
+#include "lissom/mechanics/system.h"
 #include "lissom/model/model.h"
 #include "lissom/model/rod_mesh.h"
-#include "lissom/model/structure.h"
 
 namespace lissom {
 
@@ -27,14 +27,13 @@ class Deformer {
   /// How much each vertex of the surface belongs to what a selector names, 0 to 1. An error where it names nothing.
   Result<VecX> selected(const Selector& selector, const std::string& where) const;
 
-  const Model& model() const { return model_; }
-
  private:
   Deformer() = default;
   /// Places of the surface's vertices when the nodes of the structure are at `nodes` (m).
-  std::vector<Vec3> on_surface(const Structure& structure, const std::vector<Vec3>& nodes) const;
+  std::vector<Vec3> on_surface(const std::vector<Vec3>& nodes) const;
 
   Model model_;
+  System system_;                            // the same for all poses: no rods, so no frames that a pose could ask for
   std::optional<SolidEmbedding> embedding_;  // of the surface's vertices, in bodies
 };
 

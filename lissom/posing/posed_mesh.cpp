@@ -1,8 +1,7 @@
 #include "lissom/posing/posed_mesh.h"
 
-#include <cmath>
+#include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
 
 #include "lissom/model/structure.h"
 #include "lissom/posing/deformer.h"
@@ -45,7 +44,6 @@ class Poser {
 
   Result<PosedMesh> run() {
     if (Status s = lay_rods(); !s) return s.error();
-    // The surface itself resolves the selectors of poses that come without a deformer.
     if (Status s = make_deformers(); !s) return s.error();
     for (std::size_t k = 0; k < project_.poses.size(); ++k) {
       context_.report({.task = "poses", .iteration = static_cast<int>(k) + 1, .detail = project_.poses[k].pose.name});
@@ -86,6 +84,9 @@ class Poser {
       if (!made) return made.error();
       deformers_.emplace(brief.name, std::move(made).value());
     }
+    const auto comes_without = [](const MeshPose& pose) { return pose.deformer.empty(); };
+    if (std::none_of(project_.poses.begin(), project_.poses.end(), comes_without)) return {};
+    // The surface itself resolves the selectors of these poses.
     DeformerBrief plain;
     plain.name = "plain";
     Result<Deformer> made = Deformer::make(plain, files_.surface, "/surface");
@@ -106,14 +107,10 @@ class Poser {
   }
 
   Status add_pose(const MeshPose& wanted, const std::string& where) {
-    Result<std::vector<Vec3>> posed = posed_surface(wanted, where);
+    const Result<std::vector<Vec3>> posed = posed_surface(wanted, where);
     if (!posed) return posed.error();
     std::vector<Vec3> targets;
-    double squares = 0;
-    for (std::size_t n = 0; n < place_.size(); ++n) {
-      targets.push_back(carried(posed.value(), files_.surface, place_[n]));
-      squares += (targets[n] - structure_.nodes[n]).squaredNorm();
-    }
+    for (const SurfacePlace& place : place_) targets.push_back(carried(posed.value(), files_.surface, place));
     Pose pose;
     pose.name = wanted.pose.name;
     pose.gravity = wanted.pose.gravity;
@@ -131,9 +128,7 @@ class Poser {
       pose.soft_pins.push_back({at_point(structure_.nodes[n]), project_.design.pin_stiffness, targets[n]});
     }
     made_.model.poses.push_back(std::move(pose));
-    made_.deformation.push_back(std::sqrt(squares / static_cast<double>(place_.size())));
     made_.targets.push_back(std::move(targets));
-    made_.surfaces.push_back(std::move(posed).value());
     return {};
   }
 

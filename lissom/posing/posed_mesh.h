@@ -23,9 +23,7 @@ struct ProjectFiles {
 struct PosedMesh {
   /// Rods, a pose for each of the project, and the brief with a goal for each that is not held back.
   Model model;
-  std::vector<std::vector<Vec3>> targets;   ///< per pose and node of the structure, m
-  std::vector<std::vector<Vec3>> surfaces;  ///< per pose: the surface's vertices, m
-  std::vector<double> deformation;          ///< per pose: root mean square way of the nodes from rest to target, m
+  std::vector<std::vector<Vec3>> targets;  ///< per pose and node of the structure, m
   int joints = 0;
   std::vector<std::string> notes;
 };

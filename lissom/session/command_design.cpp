@@ -6,7 +6,7 @@
 #include <set>
 
 #include "lissom/core/file_io.h"
-#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/settled.h"
 #include "lissom/model/document.h"
 #include "lissom/session/design_tables.h"
 #include "lissom/session/output.h"
@@ -61,15 +61,12 @@ Result<double> missed(const Model& model, int pose, const std::vector<Vec3>& tar
   const Result<System> system = make_system(model);
   if (!system) return system.error();
   const Pose& described = model.poses[static_cast<std::size_t>(pose)];
-  const Result<StaticProblem> problem = make_static_problem(model, system.value(), described, described.name);
-  if (!problem) return problem.error();
-  SolveOptions options;
-  options.modes = 0;
-  const Equilibrium found = solve(problem.value(), start_state(problem.value(), described), 1, options, context);
-  if (found.verdict != Verdict::kStable) return std::numeric_limits<double>::quiet_NaN();
+  const Result<Equilibrium> found = settled(model, system.value(), described, described.name, context);
+  if (!found) return found.error();
+  if (found.value().verdict != Verdict::kStable) return std::numeric_limits<double>::quiet_NaN();
   double squares = 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    squares += (found.state.position(static_cast<int>(i)) - targets[i]).squaredNorm();
+    squares += (found.value().state.position(static_cast<int>(i)) - targets[i]).squaredNorm();
   }
   return std::sqrt(squares / static_cast<double>(targets.size()));
 }

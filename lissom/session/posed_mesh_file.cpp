@@ -37,9 +37,7 @@ std::string posed_mesh_text(const PosedMesh& mesh, const std::string& hash) {
   json["notes"] = mesh.notes;
   json["poses"] = Json::array();
   for (std::size_t k = 0; k < mesh.targets.size(); ++k) {
-    json["poses"].push_back({{"name", mesh.model.poses[k].name},
-                             {"deformation", mesh.deformation[k]},
-                             {"targets", number_list(flat(mesh.targets[k]))}});
+    json["poses"].push_back({{"name", mesh.model.poses[k].name}, {"targets", number_list(flat(mesh.targets[k]))}});
   }
   return json_lines(json);
 }
@@ -65,9 +63,6 @@ Result<PosedMesh> read_posed_mesh(const std::string& text, const std::string& ha
   for (const Json& entry : *poses) {
     Result<std::vector<Vec3>> places = places_of(entry, where + "/poses");
     if (!places) return places.error();
-    JsonNumbers pose(entry, where + "/poses");
-    mesh.deformation.push_back(pose.number("deformation"));
-    if (!pose.status()) return pose.status().error();
     mesh.targets.push_back(std::move(places).value());
   }
   if (mesh.targets.size() != model.poses.size()) {

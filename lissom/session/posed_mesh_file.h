@@ -8,7 +8,7 @@
 
 namespace lissom {
 
-/// Targets, deformations and notes; `hash` is that of the project.
+/// Targets, the number of joints and notes; `hash` is that of the project.
 std::string posed_mesh_text(const PosedMesh& mesh, const std::string& hash);
 
 /// The other way round, for a model that was read from the document. kConflict where the text belongs to another project;

@@ -7,6 +7,7 @@
 #include "lissom/mechanics/membrane_bend.h"
 #include "lissom/mechanics/membrane_stretch.h"
 #include "tests/derivatives/derivative_checks.h"
+#include "tests/derivatives/potential_checks.h"
 
 namespace lissom {
 namespace {
@@ -133,33 +134,12 @@ TEST(MembraneEnergies, CrushedSheetHasExactDerivatives) {
 
 TEST(MembraneEnergies, TaylorRemaindersHaveFullOrder) {
   const Sheet sheet;
-  const Potential potential = sheet.potential();
-  const State state = sheet.moved(21, 0.3);
-  std::mt19937 random(5);
-  for (int k = 0; k < 5; ++k) {
-    const VecX direction = checks::random_increment(sheet.system, random, 1);
-    const checks::TaylorSlopes slopes = checks::taylor_slopes(sheet.system, potential, state, direction, 1e-2);
-    EXPECT_GT(slopes.gradient, 1.95);
-    EXPECT_GT(slopes.hessian, 2.95);
-  }
+  checks::expect_full_order(sheet.system, sheet.potential(), sheet.moved(21, 0.3));
 }
 
 TEST(MembraneEnergies, RigidMotionChangesNothing) {
   const Sheet sheet;
-  const Potential potential = sheet.potential();
-  const State state = sheet.moved(33, 0.3);
-  const Mat3 rotation = rotation_from_vector(Vec3(1.1, -2.0, 0.6));
-  const State moved = rigidly_moved(sheet.system, state, rotation, Vec3(0.01, 0.02, 0.03), Vec3(0.2, -0.1, 0.3));
-  AssemblyBuffers buffers;
-  EXPECT_NEAR(potential.value(moved, buffers) / potential.value(state, buffers), 1, 1e-12);
-  VecX g, g_moved;
-  potential.gradient(state, g, buffers);
-  potential.gradient(moved, g_moved, buffers);
-  const double scale = g.cwiseAbs().maxCoeff();
-  ASSERT_GT(scale, 0);
-  for (int i = 0; i < sheet.system.layout.nodes(); ++i) {
-    EXPECT_LT((rotation * g.segment<3>(3 * i) - g_moved.segment<3>(3 * i)).norm(), 1e-9 * scale);
-  }
+  checks::expect_rigid_motion_neutral(sheet.system, sheet.potential(), sheet.moved(33, 0.3));
 }
 
 /// Energy of one right triangle of area 1/2 m^2 with moduli (50, 18, 0.25) under a displacement gradient.

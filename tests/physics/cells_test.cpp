@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lissom/equilibrium/solve.h"
+#include "lissom/equilibrium/settled.h"
 
 namespace lissom {
 namespace {
@@ -12,8 +12,7 @@ namespace {
 double energy(const scene_models::CellShape& shape, const Vec2& by) {
   const Model model = scene_models::moved_cell(shape, by);
   const System system = make_system(model).value();
-  const StaticProblem problem = make_static_problem(model, system, model.poses[0], "").value();
-  const Equilibrium found = solve(problem, start_state(problem, model.poses[0]), 1, {}, {});
+  const Equilibrium found = settled(model, system, model.poses[0], "/poses/0", {}).value();
   EXPECT_EQ(found.verdict, Verdict::kStable) << shape.name << ": " << found.message;
   return found.energy;
 }

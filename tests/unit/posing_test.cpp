@@ -7,24 +7,15 @@
 #include "lissom/posing/posed_mesh.h"
 #include "lissom/posing/stiffness_map.h"
 #include "lissom/posing/warp.h"
+#include "scenes/parts.h"
 #include "tests/unit/surface_samples.h"
 
 namespace lissom {
 namespace {
 
-Selector box(const Vec3& low, const Vec3& high) {
-  Selector selector;
-  selector.kind = Selector::Kind::kBox;
-  selector.low = low;
-  selector.high = high;
-  return selector;
-}
+using scene_models::box;
 
-Support pin(const Selector& at) {
-  Support support;
-  support.at = at;
-  return support;
-}
+Support pin(const Selector& at) { return scene_models::hold(at, SupportKind::kPin); }
 
 TEST(StiffnessMap, FadesOutwardsAndMultiplies) {
   DeformerRegion soft;

@@ -8,6 +8,7 @@
 #include "lissom/equilibrium/solve.h"
 #include "lissom/geometry/tetrahedron_faces.h"
 #include "lissom/mechanics/solid_strain.h"
+#include "scenes/parts.h"
 #include "tests/derivatives/solid_block.h"
 
 namespace lissom {
@@ -22,13 +23,7 @@ Model model_of(Solid solid) {
   return model;
 }
 
-Selector box(const Vec3& low, const Vec3& high) {
-  Selector selector;
-  selector.kind = Selector::Kind::kBox;
-  selector.low = low;
-  selector.high = high;
-  return selector;
-}
+using scene_models::box;
 
 /// Nodes with this coordinate along an axis.
 Selector plane(int axis, double at) {

@@ -7,6 +7,7 @@
 
 #include "lissom/geometry/cell_network.h"
 #include "lissom/geometry/surface_boundary.h"
+#include "lissom/geometry/surface_topology.h"
 #include "tests/unit/surface_samples.h"
 
 namespace lissom {
@@ -50,9 +51,7 @@ TEST(Refinement, KeepsTheSurface) {
   }
   EXPECT_NEAR(area, before, 1e-12);
   EXPECT_LE(longest, 0.01);
-  for (const std::array<int, 3>& sides : triangle_neighbours(fine.surface)) {
-    for (const int side : sides) EXPECT_GE(side, 0);
-  }
+  for (const int mate : side_mates(fine.surface.triangles)) EXPECT_GE(mate, 0);
 }
 
 TEST(Cells, AreAlikeOnASphere) {
