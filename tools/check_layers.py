@@ -25,6 +25,8 @@ RANKS = {
     "fabrication": 6,
     "view": 6,
     "session": 7,
+    "editing": 8,
+    "studio": 9,
 }
 SCENES_HIGHEST_RANK = 5
 ROOTS = ("lissom", "scenes", "apps", "bindings", "tests", "bench")
@@ -32,8 +34,8 @@ SEES_SCENES = ("scenes", "apps", "tests", "bench")
 
 # Headers that only some files may include: (name of the rule, header, files that may, remedy).
 CONFINED = [
-    ("json", re.compile(r"^nlohmann/"), ("lissom/model/*_json.*", "lissom/session/*", "tests/*"),
-     "read and write JSON in lissom/model/*_json.cpp or in lissom/session"),
+    ("json", re.compile(r"^nlohmann/"), ("lissom/model/*_json.*", "lissom/session/*", "lissom/editing/*", "lissom/studio/*", "tests/*"),
+     "read and write JSON in lissom/model/*_json.cpp or in lissom/session, lissom/editing and lissom/studio"),
     ("sparse-solver", re.compile(r"^(suitesparse/)?(cholmod|umfpack|amd|camd|colamd|metis|SuiteSparse)\w*\.h$"),
      ("lissom/core/linear_solver*.cpp",), "go through lissom/core/linear_solver.h"),
     ("blas-threads", re.compile(r"^(cblas\S*|openblas\S*|omp)\.h$"),
