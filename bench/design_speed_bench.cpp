@@ -75,7 +75,7 @@ void measure(const std::string& name, const Context& context) {
   std::unique_ptr<LiveDesign> design;
   const double cold =
       median_ms(3, [&] { design = std::move(LiveDesign::make(model.value(), 0, options, context)).value(); });
-  row(name, "fabric nodes", static_cast<double>(design->mesh().as_made().mesh().points.size()), "");
+  row(name, "fabric nodes", static_cast<double>(design->mesh()->as_made().mesh().points.size()), "");
   row(name, "unknowns", design->problem().supports.unknowns(), "");
   row(name + ", cold", "time with meshing", cold, "ms");
   row(name + ", cold", "factorizations", design->equilibrium().factorizations, "");

@@ -33,10 +33,7 @@ Result<System> system_of(const Model& model, const ExpandedPlan& plan) {
   return make_system(model, std::move(structure).value());
 }
 
-}  // namespace
-
-Result<std::unique_ptr<LiveDesign>> LiveDesign::make(const Model& model, int pose, const Options& options,
-                                                     const Context& context) {
+Status check_editable(const Model& model, int pose, const SolveOptions& solve) {
   if (!model.plan) {
     return Error{ErrorCode::kConflict, "/plan", "there is no plan to edit", "describe the structure by a plan"};
   }
@@ -44,22 +41,66 @@ Result<std::unique_ptr<LiveDesign>> LiveDesign::make(const Model& model, int pos
     return Error{ErrorCode::kUnknown, "/poses", fmt::format("there is no pose number {}", pose),
                  "choose one of the poses"};
   }
-  if (Status s = options.solve.validate(); !s) return s.error();
-  std::unique_ptr<LiveDesign> design(new LiveDesign(model, pose, options, context));
-  Result<PlanMesh> mesh = PlanMesh::make(model, options.refine);
-  if (!mesh) return mesh.error();
-  design->mesh_.emplace(std::move(mesh).value());
-  design->expanded_ = design->mesh_->as_made();
-  Result<System> system = system_of(model, design->expanded_);
+  return solve.validate();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveDesign>> LiveDesign::make(const Model& model, int pose, const Options& options,
+                                                     const Context& context) {
+  if (Status s = check_editable(model, pose, options.solve); !s) return s.error();
+  Result<PlanMesh> made = PlanMesh::make(model, options.refine);
+  if (!made) return made.error();
+  const auto mesh = std::make_shared<const PlanMesh>(std::move(made).value());
+  Result<System> system = system_of(model, mesh->as_made());
   if (!system) return system.error();
-  design->system_ = std::move(system).value();
-  const Pose& own = design->pose_of(model);
-  Result<StaticProblem> problem = make_static_problem(model, design->system_, own, design->place());
-  if (!problem) return problem.error();
-  design->problem_.emplace(std::move(problem).value());
-  design->solver_ = std::make_unique<LiveSolver>(*design->problem_, options.solve, design->context_);
-  design->equilibrium_ = design->solver_->settle(start_state(*design->problem_, own), 1);
+  std::unique_ptr<LiveDesign> design(new LiveDesign(pose, options, context));
+  if (Status s = design->furnish(model, mesh, mesh->as_made(), std::move(system).value()); !s) return s.error();
+  design->equilibrium_ = design->solver_->settle(start_state(*design->problem_, design->pose_of(model)), 1);
   return design;
+}
+
+Result<std::unique_ptr<LiveDesign>> LiveDesign::at(const Model& model, int pose, std::shared_ptr<const PlanMesh> mesh,
+                                                   const State& equilibrium, const Options& options,
+                                                   const Context& context) {
+  if (Status s = check_editable(model, pose, options.solve); !s) return s.error();
+  std::unique_ptr<LiveDesign> design(new LiveDesign(pose, options, context));
+  if (Status s = design->take(model, std::move(mesh), equilibrium); !s) return s.error();
+  return design;
+}
+
+Status LiveDesign::furnish(const Model& model, std::shared_ptr<const PlanMesh> mesh, ExpandedPlan expanded,
+                           System system) {
+  Result<StaticProblem> problem = make_static_problem(model, system, pose_of(model), place());
+  if (!problem) return problem.error();
+  solver_.reset();
+  problem_.reset();
+  model_ = model;
+  mesh_ = std::move(mesh);
+  expanded_ = std::move(expanded);
+  system_ = std::move(system);
+  problem_.emplace(std::move(problem).value());
+  problem_->system = &system_;
+  solver_ = std::make_unique<LiveSolver>(*problem_, options_.solve, context_);
+  if (options_.watch) {
+    solver_->set_watch([this](const State& state, double residual) { options_.watch(*this, state, residual); });
+  }
+  return {};
+}
+
+Status LiveDesign::take(const Model& model, std::shared_ptr<const PlanMesh> mesh, const State& equilibrium) {
+  if (Status s = check_editable(model, pose_, options_.solve); !s) return s;
+  Result<ExpandedPlan> expanded = mesh->moved_to(model);
+  if (!expanded) return expanded.error();
+  Result<System> system = system_of(model, expanded.value());
+  if (!system) return system.error();
+  if (equilibrium.q.size() != system.value().layout.size() ||
+      static_cast<int>(equilibrium.edges.size()) != system.value().edge_count()) {
+    return Error{ErrorCode::kConflict, place(), "the kept shape has another mesh than its plan", "release the plan anew"};
+  }
+  if (Status s = furnish(model, std::move(mesh), std::move(expanded).value(), std::move(system).value()); !s) return s;
+  equilibrium_ = solver_->settle(equilibrium, equilibrium.load_factor);
+  return {};
 }
 
 Result<DesignChange> LiveDesign::change(const Model& changed) {
@@ -92,28 +133,17 @@ Result<DesignChange> LiveDesign::follow(const Model& changed) {
 }
 
 Result<DesignChange> LiveDesign::remesh(const Model& changed, std::string reason) {
-  Result<PlanMesh> mesh = PlanMesh::make(changed, options_.refine);
-  if (!mesh) return mesh.error();
-  Result<System> made = system_of(changed, mesh.value().as_made());
+  Result<PlanMesh> made = PlanMesh::make(changed, options_.refine);
   if (!made) return made.error();
-  System system = std::move(made).value();
-  const Pose& own = pose_of(changed);
+  const auto mesh = std::make_shared<const PlanMesh>(std::move(made).value());
+  Result<System> system = system_of(changed, mesh->as_made());
+  if (!system) return system.error();
   // The old fabric where the plan is now tells best which point of it is which.
   const bool same = same_rods(*model_.plan, *changed.plan);
   Result<ExpandedPlan> moved = same ? mesh_->moved_to(changed) : Result<ExpandedPlan>(expanded_);
   const PlanStage from{same && moved ? *changed.plan : *model_.plan, moved ? moved.value() : expanded_, system_};
-  const State start = carried_over(from, equilibrium_.state, {*changed.plan, mesh.value().as_made(), system});
-  Result<StaticProblem> problem = make_static_problem(changed, system, own, place());
-  if (!problem) return problem.error();
-  solver_.reset();
-  problem_.reset();
-  model_ = changed;
-  mesh_.emplace(std::move(mesh).value());
-  expanded_ = mesh_->as_made();
-  system_ = std::move(system);
-  problem_.emplace(std::move(problem).value());
-  problem_->system = &system_;
-  solver_ = std::make_unique<LiveSolver>(*problem_, options_.solve, context_);
+  const State start = carried_over(from, equilibrium_.state, {*changed.plan, mesh->as_made(), system.value()});
+  if (Status s = furnish(changed, mesh, mesh->as_made(), std::move(system).value()); !s) return s.error();
   equilibrium_ = solver_->settle(start, start.load_factor);
   DesignChange change{true, std::move(reason), {}};
   const int nodes = system_.layout.nodes();

@@ -2,6 +2,7 @@
 /// A plan under edit: its equilibrium follows every change. Small changes keep mesh, patterns and factor; larger ones get a
 /// new mesh, on which the shape goes on from where it was.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,20 +22,31 @@ struct DesignChange {
 
 class LiveDesign {
  public:
+  /// Looks at a design while it settles: everything but equilibrium() is that of the state shown already.
+  using Watch = std::function<void(const LiveDesign& design, const State& state, double residual)>;
+
   struct Options {
     SolveOptions solve;
     MeshLimits mesh;
     double refine = 1;
+    Watch watch;  ///< must be quick; empty: nobody looks
   };
 
   /// Releases pose number `pose` of a model with a plan, from its seed.
   static Result<std::unique_ptr<LiveDesign>> make(const Model& model, int pose, const Options& options,
                                                   const Context& context = {});
+  /// Stands at an equilibrium of pose number `pose` that was found before, on its mesh, and settles it where it is none.
+  static Result<std::unique_ptr<LiveDesign>> at(const Model& model, int pose, std::shared_ptr<const PlanMesh> mesh,
+                                                const State& equilibrium, const Options& options,
+                                                const Context& context = {});
   LiveDesign(const LiveDesign&) = delete;
   LiveDesign& operator=(const LiveDesign&) = delete;
 
   const Model& model() const { return model_; }
-  const PlanMesh& mesh() const { return *mesh_; }
+  int pose() const { return pose_; }
+  const std::shared_ptr<const PlanMesh>& mesh() const { return mesh_; }
+  /// The plan as it is now, on the mesh.
+  const ExpandedPlan& expanded() const { return expanded_; }
   const System& system() const { return system_; }
   const StaticProblem& problem() const { return *problem_; }
   const Equilibrium& equilibrium() const { return equilibrium_; }
@@ -43,21 +55,26 @@ class LiveDesign {
   /// that is not stable in the end is kept and is where the next change starts.
   Result<DesignChange> change(const Model& changed);
 
+  /// Takes over another model with a state of it on a mesh of its own, as it was kept. After an error all is as before.
+  Status take(const Model& model, std::shared_ptr<const PlanMesh> mesh, const State& equilibrium);
+
  private:
-  LiveDesign(Model model, int pose, const Options& options, const Context& context)
-      : model_(std::move(model)), pose_(pose), options_(options), context_(context) {}
+  LiveDesign(int pose, const Options& options, const Context& context)
+      : pose_(pose), options_(options), context_(context) {}
 
   std::string place() const { return "/poses/" + std::to_string(pose_); }
   const Pose& pose_of(const Model& model) const { return model.poses[static_cast<std::size_t>(pose_)]; }
   Result<DesignChange> follow(const Model& changed);
   Result<DesignChange> remesh(const Model& changed, std::string reason);
+  /// Moves in: everything but the equilibrium.
+  Status furnish(const Model& model, std::shared_ptr<const PlanMesh> mesh, ExpandedPlan expanded, System system);
 
   Model model_;
   int pose_;
   Options options_;
   Context context_;
-  std::optional<PlanMesh> mesh_;
-  ExpandedPlan expanded_;  ///< the plan as it is now, on the mesh
+  std::shared_ptr<const PlanMesh> mesh_;
+  ExpandedPlan expanded_;
   System system_;
   std::optional<StaticProblem> problem_;
   std::unique_ptr<LiveSolver> solver_;

@@ -20,16 +20,32 @@ Result<Design> design_of(Model model, const ExpandedPlan& plan) {
 
 Result<PlanDesignSpace> PlanDesignSpace::make(const Model& model, const PlanSpaceOptions& options,
                                               const MeshLimits& limits, double refine) {
-  Result<PlanSpace> space = PlanSpace::make(model, options);
+  Result<PlanSpace> space = PlanSpace::make(model, options);  // checks the plan before it is cut up
   if (!space) return space.error();
   Result<PlanMesh> mesh = PlanMesh::make(model, refine);
   if (!mesh) return mesh.error();
-  PlanDesignSpace out;
-  out.space_ = std::make_shared<const PlanSpace>(std::move(space).value());
-  out.mesh_ = std::make_shared<const PlanMesh>(std::move(mesh).value());
-  out.limits_ = limits;
-  Result<Design> base = design_of(model, out.mesh_->as_made());
+  const auto shared = std::make_shared<const PlanMesh>(std::move(mesh).value());
+  return assembled(std::move(space).value(), model, shared, shared->as_made(), limits);
+}
+
+Result<PlanDesignSpace> PlanDesignSpace::on_mesh(const Model& model, std::shared_ptr<const PlanMesh> mesh,
+                                                 const PlanSpaceOptions& options, const MeshLimits& limits) {
+  Result<PlanSpace> space = PlanSpace::make(model, options);
+  if (!space) return space.error();
+  const Result<ExpandedPlan> plan = mesh->moved_to(model);
+  if (!plan) return plan.error();
+  return assembled(std::move(space).value(), model, std::move(mesh), plan.value(), limits);
+}
+
+Result<PlanDesignSpace> PlanDesignSpace::assembled(PlanSpace space, const Model& model,
+                                                   std::shared_ptr<const PlanMesh> mesh, const ExpandedPlan& plan,
+                                                   const MeshLimits& limits) {
+  Result<Design> base = design_of(model, plan);
   if (!base) return base.error();
+  PlanDesignSpace out;
+  out.space_ = std::make_shared<const PlanSpace>(std::move(space));
+  out.mesh_ = std::move(mesh);
+  out.limits_ = limits;
   out.base_ = std::make_shared<const Design>(std::move(base).value());
   return out;
 }

@@ -11,12 +11,14 @@
 
 namespace lissom {
 
-/// Not for use by several threads at once, as the map of its mesh.
 class PlanDesignSpace final : public DesignSpace {
  public:
   /// Of the plan of `model`, on a mesh of its own.
   static Result<PlanDesignSpace> make(const Model& model, const PlanSpaceOptions& options,
                                       const MeshLimits& limits = {}, double refine = 1);
+  /// The same on a mesh that there is, of a plan with the same points and rods. kConflict where it does not fit.
+  static Result<PlanDesignSpace> on_mesh(const Model& model, std::shared_ptr<const PlanMesh> mesh,
+                                         const PlanSpaceOptions& options, const MeshLimits& limits = {});
 
   std::span<const Parameter> parameters() const override { return space_->parameters(); }
   VecX start() const override { return space_->values(*base_->model.plan); }
@@ -29,10 +31,12 @@ class PlanDesignSpace final : public DesignSpace {
 
   /// The design as drawn: what other spaces have to be made for, to be combined with this one.
   const std::shared_ptr<const Design>& base() const { return base_; }
-  const PlanMesh& mesh() const { return *mesh_; }
+  const std::shared_ptr<const PlanMesh>& mesh() const { return mesh_; }
 
  private:
   PlanDesignSpace() = default;
+  static Result<PlanDesignSpace> assembled(PlanSpace space, const Model& model, std::shared_ptr<const PlanMesh> mesh,
+                                           const ExpandedPlan& plan, const MeshLimits& limits);
 
   std::shared_ptr<const Design> base_;
   std::shared_ptr<const PlanSpace> space_;

@@ -3,6 +3,7 @@
 /// that a structure whose numbers change a little settles in a few hundredths of a second [convergence 5].
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lissom/core/context.h"
@@ -37,6 +38,9 @@ class LiveSolver {
   /// Stands at an equilibrium of the present numbers, found before: makes its factor and forgets all other history, so that what
   /// `resettle` does next depends on this state alone. False where its Hessian is not positive definite.
   [[nodiscard]] bool take_up(const State& equilibrium);
+
+  /// Who looks at the states on the way; see NewtonWorkspace.
+  void set_watch(NewtonWorkspace::Watch watch) { workspace_.set_watch(std::move(watch)); }
 
   /// The factor of the last state that was found stable or taken up.
   LinearSolver& factor() { return workspace_.factor(); }

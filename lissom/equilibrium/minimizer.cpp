@@ -242,6 +242,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
     records.push_back({static_cast<int>(records.size()), state_->load_factor, energy_, result.residual, shift(), taken_,
                        taken_ * turn, workspace_.factorizations()});
     workspace_.context().report({"solve", -1, static_cast<int>(records.size()), result.residual, "minimising energy"});
+    workspace_.show(*state_, result.residual);
     // Rounding in the energy can hide a cycle: stop when neither energy nor residual improves for a while.
     without_progress = (before - energy_ > kEnergyNoise * std::abs(energy_) || result.residual < 0.5 * least_residual)
                            ? 0

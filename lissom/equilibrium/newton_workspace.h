@@ -2,6 +2,8 @@
 /// What every Newton-type method on a static problem shares: assembly, factor, residual, buffers. One per solve.
 
 #include <array>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "lissom/core/context.h"
@@ -17,6 +19,14 @@ class NewtonWorkspace {
   const StaticProblem& problem() const { return problem_; }
   const System& system() const { return *problem_.system; }
   const Context& context() const { return context_; }
+
+  /// Shows every state that a solve has arrived at, on the thread that solves. `watch` must be quick; empty: nobody looks.
+  using Watch = std::function<void(const State& state, double residual)>;
+  void set_watch(Watch watch) { watch_ = std::move(watch); }
+  void show(const State& state, double residual) const {
+    if (watch_) watch_(state, residual);
+  }
+
   LinearSolver& factor() { return factor_; }
   /// For evaluations of other potentials between those of this one: nothing is kept in them.
   AssemblyBuffers& buffers() { return buffers_; }
@@ -57,6 +67,7 @@ class NewtonWorkspace {
  private:
   const StaticProblem& problem_;
   const Context& context_;
+  Watch watch_;
   LinearSolver factor_;
   AssemblyBuffers buffers_;
   std::vector<double> hessian_;

@@ -20,7 +20,7 @@ struct MeshQuality {
   int triangle = -1;  ///< the one with the least ratio
 };
 
-/// Not for use by several threads at once: arcs share the work space of a solver.
+/// For use by any number of threads.
 class PlanMap {
  public:
   /// Of a plan and what it was expanded to.

@@ -74,7 +74,7 @@ MatX PlanMap::position_curvature(const MatX& controls, const MatX& y, const MatX
   if (linear()) return result;
   // What inner vertices ask of the nodes that they follow.
   MatX inside = y.bottomRows(vertices() - nodes());
-  if (impl_->inner) impl_->inner->solve_many(inside, inside);
+  impl_->solve_inside(inside);
   const MatX weights = y.topRows(nodes()) + impl_->coupling.transpose() * inside;
   using Dual = Dual2<6>;
   for (const ArcNode& arc : impl_->arcs) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "lissom/core/linear_solver.h"
@@ -30,6 +31,7 @@ struct PlanMap::Impl {
   std::vector<PieceEnds> pieces;
   SparseMatrix coupling;                ///< (V - N x N), -L_c
   std::unique_ptr<LinearSolver> inner;  ///< factor of L_b; absent when no vertex is inside
+  mutable std::mutex inner_in_use;      ///< solvers share work space between their const members
   MatX inner_weights;                   ///< (V - N x C), only without arcs
   std::vector<std::array<int, 3>> triangles;
   std::vector<double> angles;  ///< rad, smallest of each triangle as expanded
@@ -37,8 +39,13 @@ struct PlanMap::Impl {
   /// Harmonic: the inner rows that go with these rows of nodes.
   MatX extended(const MatX& node_rows) const {
     MatX rows = coupling * node_rows;
-    if (inner) inner->solve_many(rows, rows);
+    solve_inside(rows);
     return rows;
+  }
+  /// L_b^-1, in place.
+  void solve_inside(MatX& rows) const {
+    const std::scoped_lock lock(inner_in_use);
+    if (inner) inner->solve_many(rows, rows);
   }
 
   Status set_laplacian(const MembraneMesh& mesh);

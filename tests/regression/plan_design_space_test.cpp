@@ -49,7 +49,7 @@ void expect_consistent_on_mesh(const PlanDesignSpace& space, const Design& desig
   samples::expect_same_numbers(
       design.system.structure,
       rest_numbers_of(design.model, design.system, rest_input_values(design.model, design.system)), numbers, 1e-12);
-  const Result<ExpandedPlan> plan = space.mesh().moved_to(design.model);
+  const Result<ExpandedPlan> plan = space.mesh()->moved_to(design.model);
   ASSERT_TRUE(plan);
   const Result<Structure> structure = discretize(design.model, plan.value());
   ASSERT_TRUE(structure);

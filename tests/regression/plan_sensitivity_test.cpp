@@ -50,7 +50,7 @@ State polished(const StaticProblem& problem, State state) {
 
 /// Positions of nodes in the equilibrium of another plan on the mesh of `design`, followed from its own.
 VecX followed(const LiveDesign& design, const Model& changed, double tolerance) {
-  const Result<ExpandedPlan> plan = design.mesh().moved_to(changed);
+  const Result<ExpandedPlan> plan = design.mesh()->moved_to(changed);
   EXPECT_TRUE(plan.ok()) << plan.error().text();
   Result<Structure> structure = discretize(changed, plan.value());
   EXPECT_TRUE(structure.ok()) << structure.error().text();
@@ -101,7 +101,7 @@ void compare_sensitivities(const Model& model, const PlanSpaceOptions& choice, c
   NewtonWorkspace workspace(design->problem(), context);
   workspace.assemble(state);
   ASSERT_TRUE(workspace.factorize(0).positive_definite);
-  const SparseMatrix inputs = space.value().rest_inputs(model, design->mesh(), design->system());
+  const SparseMatrix inputs = space.value().rest_inputs(model, *design->mesh(), design->system());
   const Result<Sensitivity> made =
       Sensitivity::make(model, model.poses[0], design->problem(), state, workspace.factor(), inputs);
   ASSERT_TRUE(made.ok()) << made.error().text();
