@@ -1,0 +1,116 @@
+// Writes what the engine says into the store.
+
+import { batch } from '@preact/signals-core';
+import { fitRanges } from './fields';
+import type { EngineEvent, Pack, ShapePack } from './protocol';
+import * as store from './store';
+
+const kLogLines = 200;
+
+export function applyEvent(event: EngineEvent): void {
+  switch (event.event) {
+    case 'project':
+      store.project.value = event;
+      break;
+    case 'plan':
+      batch(() => {
+        store.plan.value = event;
+        dropVanished();
+      });
+      break;
+    case 'history':
+      // What stood before the step is what "previous" compares with.
+      if (event.at !== store.history.peek()?.at) store.previousShape.value = store.settledShape.peek();
+      store.history.value = event;
+      break;
+    case 'verdict':
+      store.verdict.value = event;
+      break;
+    case 'measures':
+      store.measures.value = event;
+      break;
+    case 'warnings':
+      store.warnings.value = event.warnings;
+      break;
+    case 'job':
+      store.jobs.value = { ...store.jobs.peek(), [event.job]: event };
+      break;
+    case 'modes':
+      store.modes.value = event;
+      break;
+    case 'handle':
+      store.handle.value = event;
+      if (!event.active) store.preview.value = null;
+      break;
+    case 'fit':
+      store.fit.value = event;
+      break;
+    case 'branches':
+      store.branches.value = event;
+      break;
+    case 'log':
+      store.log.value = [...store.log.peek().slice(1 - kLogLines), event.text];
+      break;
+    case 'failed':
+      store.fault.value = event.error;
+      break;
+  }
+}
+
+export function applyPack(pack: Pack): void {
+  switch (pack.pack) {
+    case 'topology':
+      applyTopology(pack);
+      break;
+    case 'shape':
+      applyShape(pack);
+      break;
+    case 'flat':
+      store.flatShape.value = pack;
+      break;
+    case 'preview':
+      store.preview.value = pack;
+      break;
+    case 'modes':
+      store.modeShapes.value = pack;
+      break;
+    case 'branches':
+      store.branchShapes.value = pack;
+      break;
+  }
+}
+
+function applyTopology(pack: Extract<Pack, { pack: 'topology' }>): void {
+  batch(() => {
+    if (pack.topology !== store.topology.peek()?.topology) {
+      // Numbers of nodes mean nothing on another mesh.
+      const { points, rods } = store.selection.peek();
+      if (store.selection.peek().nodes.size > 0) store.selection.value = { points, rods, nodes: new Set() };
+      store.preview.value = null;
+      store.modeShapes.value = null;
+      store.branchShapes.value = null;
+    }
+    store.topology.value = pack;
+    store.rodField.value = pack.field_rods;
+    store.fabricField.value = pack.field_fabric;
+  });
+}
+
+function applyShape(pack: ShapePack): void {
+  if (pack.topology !== store.topology.peek()?.topology) return;
+  batch(() => {
+    fitRanges(pack);
+    store.shape.value = pack;
+    if (pack.settled) store.settledShape.value = pack;
+  });
+}
+
+/** Names that a new plan no longer has leave the selection. */
+function dropVanished(): void {
+  const now = store.selection.peek();
+  const points = [...now.points].filter((name) => store.pointIndex.value.has(name));
+  const rods = [...now.rods].filter((name) => store.rodIndex.value.has(name));
+  if (points.length < now.points.size || rods.length < now.rods.size) {
+    store.selection.value = { points: new Set(points), rods: new Set(rods), nodes: now.nodes };
+  }
+}
