@@ -1,0 +1,60 @@
+// Buttons: plain ones with a name, and those of the command list.
+
+import type { ComponentChildren, TargetedMouseEvent } from 'preact';
+import { command, isEnabled, keysOf, run } from '../../core/commands';
+import { Icon, isIconName, type IconName } from './icon';
+import { ariaKeys, keyText } from '../logic/keys';
+
+interface ButtonProps {
+  icon?: IconName;
+  /** Said by screen readers and shown on hover; for buttons with a text only where it needs more words. */
+  label?: string;
+  class?: string;
+  pressed?: boolean;
+  disabled?: boolean;
+  onClick: (event: TargetedMouseEvent<HTMLButtonElement>) => void;
+  children?: ComponentChildren;
+  /** Keys that do the same. */
+  keys?: readonly string[];
+}
+
+export function Button(props: ButtonProps) {
+  const { icon, label, children, pressed, disabled, onClick, keys = [] } = props;
+  const bare = children === undefined;
+  const shown = keys[0] ? `${label ?? ''} (${keyText(keys[0])})` : label;
+  return (
+    <button
+      type="button"
+      class={`button ${bare ? 'icon-only plain' : ''} ${props.class ?? ''}`}
+      aria-label={bare ? label : undefined}
+      aria-pressed={pressed}
+      aria-keyshortcuts={ariaKeys(keys)}
+      title={shown}
+      disabled={disabled}
+      onClick={onClick}
+    >
+      {icon && <Icon name={icon} />}
+      {children}
+    </button>
+  );
+}
+
+/** A button for a command of the registry; absent where the command is. */
+export function CommandButton(props: { id: string; text?: string; icon?: IconName; class?: string }) {
+  const found = command(props.id);
+  if (!found) return null;
+  const icon = props.icon ?? (isIconName(found.icon) ? found.icon : undefined);
+  return (
+    <Button
+      icon={icon}
+      label={found.title}
+      class={props.class}
+      pressed={found.checked?.()}
+      disabled={!isEnabled(found)}
+      keys={keysOf(found)}
+      onClick={() => run(found.id)}
+    >
+      {props.text ?? (icon ? undefined : found.title)}
+    </Button>
+  );
+}

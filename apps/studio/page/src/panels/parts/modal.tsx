@@ -1,0 +1,47 @@
+// A dialog over the page, on the native element: Escape closes it, focus stays inside and goes back afterwards.
+
+import type { ComponentChildren } from 'preact';
+import { useEffect, useId, useRef } from 'preact/hooks';
+import { Button } from './button';
+
+interface ModalProps {
+  title: string;
+  onClose: () => void;
+  class?: string;
+  children: ComponentChildren;
+  /** Buttons at the bottom. */
+  actions?: ComponentChildren;
+}
+
+export function Modal({ title, onClose, class: extra = '', children, actions }: ModalProps) {
+  const element = useRef<HTMLDialogElement>(null);
+  const id = useId();
+  useEffect(() => {
+    const dialog = element.current;
+    dialog?.showModal();
+    return () => dialog?.close();
+  }, []);
+  return (
+    <dialog
+      ref={element}
+      class={`modal ${extra}`}
+      aria-labelledby={id}
+      onCancel={(event) => {
+        event.preventDefault();
+        onClose();
+      }}
+      onClick={(event) => {
+        if (event.target === element.current) onClose();
+      }}
+    >
+      <div class="modal-inner">
+        <header class="modal-head">
+          <h2 id={id}>{title}</h2>
+          <Button icon="close" label="Close" onClick={onClose} />
+        </header>
+        <div class="modal-body">{children}</div>
+        {actions !== undefined && <footer class="modal-foot row">{actions}</footer>}
+      </div>
+    </dialog>
+  );
+}
