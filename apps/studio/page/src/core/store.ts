@@ -24,6 +24,7 @@ import type {
   VerdictEvent,
   Warning,
 } from './protocol';
+import { homeCamera, type Camera, type Screen } from './camera';
 import { emptySelection, type Hover, type Selection } from './selection';
 
 // ---- From the engine (null until it has spoken) ------------------------------------------------------------------------
@@ -103,6 +104,8 @@ export const softRadius = signal(20);
 /** What the gizmo does. */
 export type GizmoKind = 'move' | 'rotate' | 'scale';
 export const gizmoKind = signal<GizmoKind>('move');
+/** Middle of what is held, as the engine answered; null: nothing is held. The gizmo stands there. */
+export const handleCenter = signal<[number, number, number] | null>(null);
 /** The wanted place since handle_begin, as sent last; panels may show numbers and write them through core/handles.ts. */
 export const handlePose = signal<{ move_mm: [number, number, number]; turn_deg: [number, number, number]; scale: number }>({
   move_mm: [0, 0, 0],
@@ -125,7 +128,15 @@ export const uiScale = signal(1);
 export type NavigationPreset = 'rhino' | 'blender' | 'cad' | 'trackpad';
 export const navigation = signal<NavigationPreset>('rhino');
 export type NamedView = 'top' | 'bottom' | 'front' | 'back' | 'left' | 'right' | 'home';
+/** Parallel projection; the camera follows. */
 export const orthographic = signal(false);
+/** The camera of the 3D view and the size of its picture in CSS pixels. Commands "view.*" and the view write them. */
+export const camera = signal<Camera>(homeCamera);
+export const viewSize = signal<Screen>({ width: 0, height: 0 });
+/** What the plan shows: the place in the middle, mm, and CSS pixels per mm. */
+export const planCamera = signal<{ center_mm: [number, number]; pixels_per_mm: number }>({ center_mm: [0, 0], pixels_per_mm: 2 });
+/** Where the running drag wants points to be, mm; drawn at once, before the engine has answered. */
+export const localMoves = signal<ReadonlyMap<string, [number, number]>>(new Map());
 
 /** What is drawn in 3D. */
 export const show = {

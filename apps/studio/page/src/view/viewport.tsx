@@ -1,8 +1,152 @@
 // The 3D view as a component. Panels place it once; it fills its container (position: relative, any size) and follows
 // its size. Children are laid over the picture (legend, mode strip).
 
+import { effect } from '@preact/signals-core';
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { Projector } from '../core/camera';
+import { acceptHandle, cancelHandle, gizmoPlace } from '../core/handles';
+import { note, notePreview, noteShape } from '../core/latency';
+import * as store from '../core/store';
+import { frameShape, turnView } from './camera_motion';
+import { currentView, setCurrentView } from './current';
+import { drawGizmo } from './gizmo_picture';
+import { hotGrip, label, typed } from './local';
+import { Overlay } from './overlay';
+import { listen3d } from './pointer3d';
+import { probeMachine } from './quality';
+import { endTyping, shapeKey } from './shape_keys';
+import { sync } from './sync';
+import { kHighQuality, kLowQuality, View } from './view';
+import { ViewCube } from './view_cube';
+import './view.css';
 
 export function Viewport({ children }: { children?: ComponentChildren }) {
-  return <div class="viewport">{children}</div>;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const surface = useRef<HTMLDivElement>(null);
+  const [missing, setMissing] = useState(false);
+
+  useEffect(() => {
+    if (!canvas.current || !surface.current) return;
+    const machine = probeMachine();
+    store.rendererName.value = machine.name;
+    store.softwareRenderer.value = machine.software;
+    if (machine.name === '') {
+      setMissing(true);
+      return;
+    }
+    const view = new View(canvas.current, machine.software ? kLowQuality : kHighQuality());
+    setCurrentView(view);
+    const ends = [follow(canvas.current), sync(view), listen3d(surface.current), gizmo(view), frames(), watch(view)];
+    return () => {
+      ends.forEach((end) => end());
+      view.dispose();
+      if (currentView() === view) setCurrentView(null);
+    };
+  }, []);
+
+  return (
+    <div class="viewport">
+      <canvas ref={canvas} aria-hidden="true" />
+      <div
+        ref={surface}
+        class="view-surface"
+        role="application"
+        aria-label="Shape in space. Arrow keys turn it, plus and minus zoom, F fits it."
+        tabIndex={0}
+        onKeyDown={keyDown}
+      />
+      <Overlay />
+      <ViewCube />
+      {missing && <p class="view-message">This browser offers no WebGL 2, which the 3D view needs. Plan and panels work without it.</p>}
+      {children}
+    </div>
+  );
+}
+
+/** Keeps store.viewSize at the size of the canvas. */
+function follow(canvas: HTMLCanvasElement): () => void {
+  const observer = new ResizeObserver(([entry]) => {
+    const { width, height } = entry.contentRect;
+    store.viewSize.value = { width: Math.round(width), height: Math.round(height) };
+  });
+  observer.observe(canvas);
+  return () => observer.disconnect();
+}
+
+function gizmo(view: View): () => void {
+  return effect(() => {
+    const held = store.workMode.value === 'shape' ? gizmoPlace() : null;
+    void store.dark.value;
+    const projector = held ? new Projector(store.camera.value, store.viewSize.value) : null;
+    drawGizmo(view, projector, held, hotGrip.value);
+    view.invalidate();
+  });
+}
+
+/** The first shape of each project is shown whole. */
+function frames(): () => void {
+  let framed = '';
+  return effect(() => {
+    const name = store.project.value?.name ?? '';
+    const ready = store.shape.value !== null && store.viewSize.value.width > 1;
+    if (!ready || framed === `#${name}`) return;
+    framed = `#${name}`;
+    frameShape();
+  });
+}
+
+/** Times of pictures, for tests and the about box. */
+function watch(view: View): () => void {
+  let drawn = store.shape.peek();
+  let previewed = store.preview.peek();
+  let first = true;
+  view.onDrawn = () => {
+    const now = performance.now();
+    const shape = store.shape.peek();
+    const preview = store.preview.peek();
+    if (shape && first) {
+      first = false;
+      note('first picture', now);
+    }
+    if (shape && shape !== drawn) noteShape(now, shape.drag !== 0, shape.settled);
+    if (preview && preview !== previewed) notePreview(now);
+    drawn = shape;
+    previewed = preview;
+  };
+  return () => {
+    view.onDrawn = () => {};
+    label.value = null;
+  };
+}
+
+/** Keys of the handle come before those of commands; arrows turn the view when it has the focus. */
+function keyDown(event: KeyboardEvent): void {
+  const held = store.workMode.peek() === 'shape' && store.handleCenter.peek() !== null;
+  if (held && event.key === 'Escape') {
+    if (typed.peek() !== '') endTyping();
+    else cancelHandle();
+  } else if (held && event.key === 'Enter') {
+    if (typed.peek() !== '') endTyping();
+    else acceptHandle();
+  } else if (!(held && shapeKey(event)) && !turnByKey(event)) {
+    return;
+  }
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+const kKeyStep = 24;
+
+function turnByKey(event: KeyboardEvent): boolean {
+  const steps: Record<string, [number, number]> = {
+    ArrowLeft: [kKeyStep, 0],
+    ArrowRight: [-kKeyStep, 0],
+    ArrowUp: [0, kKeyStep],
+    ArrowDown: [0, -kKeyStep],
+  };
+  const step = steps[event.key];
+  if (!step || event.ctrlKey || event.metaKey || event.altKey) return false;
+  turnView(step[0], step[1], event.shiftKey);
+  return true;
 }

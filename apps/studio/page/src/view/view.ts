@@ -1,0 +1,207 @@
+// The 3D picture: one class around three's WebGLRenderer, fed by typed arrays. It draws only after invalidate(), at most
+// once a frame of the screen. Nothing in here knows of the store (view/sync.ts does).
+
+import { Camera as ThreeCamera, ColorManagement, Scene, Vector2, WebGLRenderer } from 'three';
+import { homeCamera, projectionMatrix, scaleOf, viewMatrix, type Camera, type Screen } from '../core/camera';
+import type { FieldInfo, ShapePack, TopologyPack } from '../core/protocol';
+import { bounds, type Vec3 } from '../core/vec';
+import { Fabric } from './fabric';
+import { Ghost } from './ghost';
+import { Grid } from './grid';
+import { Markers } from './markers';
+import { paletteOf, type Palette } from './palette';
+import { Rods } from './rods';
+import { ScreenLines } from './screen_lines';
+import { colourTables } from './tables';
+
+export interface ViewQuality {
+  antialias: boolean;
+  sides: number;
+  pixelRatio: number;
+}
+
+export const kHighQuality = (): ViewQuality => ({ antialias: true, sides: 12, pixelRatio: Math.min(devicePixelRatio, 2) });
+export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1 };
+
+export type GhostName = 'flat' | 'previous' | 'preview' | 'mode' | 'branch';
+
+// The colours of this page are sRGB from end to end.
+ColorManagement.enabled = false;
+
+export class View {
+  readonly rods: Rods;
+  readonly fabric: Fabric;
+  readonly grid: Grid;
+  readonly ghosts: Record<GhostName, Ghost>;
+  readonly lines = {
+    dashed: new ScreenLines(),
+    links: new ScreenLines({ depthTest: false, order: 6 }),
+    gizmo: new ScreenLines({ depthTest: false, order: 9 }),
+  };
+  readonly markers = {
+    points: new Markers('disc', { order: 7 }),
+    pins: new Markers('pyramid'),
+    targets: new Markers('disc', { depthTest: false, order: 6 }),
+    tips: new Markers('cone', { depthTest: false, order: 10 }),
+    knobs: new Markers('cube', { depthTest: false, order: 10 }),
+  };
+  /** Called after each picture. */
+  onDrawn: () => void = () => {};
+  palette: Palette = paletteOf(false);
+
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly eye = new ThreeCamera();
+  private readonly tables = colourTables();
+  private camera: Camera = homeCamera;
+  private screen: Screen = { width: 1, height: 1 };
+  private ground = 0;
+  private asked = 0;
+  private lost = false;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private quality: ViewQuality,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: quality.antialias, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.setPixelRatio(quality.pixelRatio);
+    this.rods = new Rods(quality.sides, this.tables, this.palette);
+    this.fabric = new Fabric(this.tables, this.palette);
+    this.grid = new Grid(this.palette);
+    const { palette } = this;
+    this.ghosts = {
+      flat: new Ghost(palette.flat, 0.14, 0.7),
+      previous: new Ghost(palette.previous, 0.16, 0.8),
+      preview: new Ghost(palette.preview, 0.3, 0.95),
+      mode: new Ghost(palette.mode, 0.26, 0.9),
+      branch: new Ghost(palette.mode, 0.26, 0.9),
+    };
+    this.scene.add(this.rods.mesh, this.fabric.mesh, this.fabric.lines, this.grid.lines);
+    for (const ghost of Object.values(this.ghosts)) this.scene.add(ghost.group);
+    for (const lines of Object.values(this.lines)) this.scene.add(lines.mesh);
+    for (const markers of Object.values(this.markers)) this.scene.add(markers.mesh);
+    this.scene.matrixWorldAutoUpdate = false;
+    this.eye.matrixAutoUpdate = this.eye.matrixWorldAutoUpdate = false;
+    canvas.addEventListener('webglcontextlost', this.onLost);
+    canvas.addEventListener('webglcontextrestored', this.onRestored);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.asked);
+    this.canvas.removeEventListener('webglcontextlost', this.onLost);
+    this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
+    this.renderer.dispose();
+  }
+
+  setScreen(screen: Screen): void {
+    this.screen = screen;
+    this.renderer.setSize(screen.width, screen.height, false);
+    for (const lines of Object.values(this.lines)) lines.setScreen(screen.width, screen.height);
+    // A canvas that was resized is empty: draw before the browser shows it.
+    this.draw();
+  }
+
+  setCamera(camera: Camera): void {
+    this.camera = camera;
+    this.invalidate();
+  }
+
+  /** Sides and pixel ratio can change while running; antialiasing only with a new context. */
+  setQuality(quality: ViewQuality): void {
+    this.quality = quality;
+    this.rods.setSides(quality.sides);
+    this.renderer.setPixelRatio(quality.pixelRatio);
+    this.setScreen(this.screen);
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    for (const part of [this.rods, this.fabric, this.grid]) part.setPalette(palette);
+    this.ghosts.flat.setColour(palette.flat);
+    this.ghosts.previous.setColour(palette.previous);
+    this.ghosts.preview.setColour(palette.preview);
+    this.ghosts.mode.setColour(palette.mode);
+    this.ghosts.branch.setColour(palette.mode);
+    this.invalidate();
+  }
+
+  setTopology(topology: TopologyPack): void {
+    this.rods.setTopology(topology);
+    this.fabric.setTopology(topology);
+  }
+
+  setShape(shape: ShapePack, rodColours: boolean, fabricColours: boolean): void {
+    if (shape.edge_radii) this.rods.setRadii(shape.edge_radii);
+    this.rods.setShape(shape.positions, shape.normals, rodColours ? shape.edge_values : null);
+    this.fabric.setShape(shape.positions, fabricColours ? shape.triangle_values : null);
+    const box = bounds(shape.positions);
+    if (box) this.ground = box.low[2] - 0.02 * Math.max(box.high[0] - box.low[0], 1);
+    this.invalidate();
+  }
+
+  /** Colours of a field on rods or fabric; null: plain. */
+  setColours(part: 'rods' | 'fabric', field: FieldInfo | null, low: number, high: number): void {
+    const { uniforms } = this[part];
+    uniforms.coloured.value = field ? 1 : 0;
+    if (field) uniforms.table.value = field.diverging ? this.tables.diverging : this.tables.sequential;
+    (uniforms.range.value as Vector2).set(low, 1 / Math.max(high - low, 1e-12));
+    this.invalidate();
+  }
+
+  /** 0: as it is, 1: as pale as the ground. */
+  setFaded(faded: number): void {
+    this.rods.uniforms.faded.value = faded;
+    this.fabric.uniforms.faded.value = faded;
+    this.invalidate();
+  }
+
+  invalidate(): void {
+    if (this.asked === 0) this.asked = requestAnimationFrame(() => this.draw());
+  }
+
+  /** PNG of the picture at `ratio` times its size; transparent where nothing is. */
+  async capture(ratio: number, grid: boolean): Promise<HTMLCanvasElement> {
+    const shown = this.grid.lines.visible;
+    this.grid.lines.visible = shown && grid;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.screen.width, this.screen.height, false);
+    this.draw();
+    const copy = document.createElement('canvas');
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
+    this.grid.lines.visible = shown;
+    this.setQuality(this.quality);
+    return copy;
+  }
+
+  private readonly onLost = (event: Event) => {
+    event.preventDefault();
+    this.lost = true;
+  };
+
+  // three rebuilds its own objects; textures and buffers are uploaded again with the next picture.
+  private readonly onRestored = () => {
+    this.lost = false;
+    this.invalidate();
+  };
+
+  draw(): void {
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
+    if (this.lost || this.screen.width < 2 || this.screen.height < 2) return;
+    const { camera, screen, eye } = this;
+    eye.matrixWorldInverse.fromArray(viewMatrix(camera));
+    eye.matrixWorld.copy(eye.matrixWorldInverse).invert();
+    eye.projectionMatrix.fromArray(projectionMatrix(camera, screen));
+    eye.projectionMatrixInverse.copy(eye.projectionMatrix).invert();
+    const pixel = scaleOf(camera, screen);
+    const unitPixel = camera.orthographic ? pixel : pixel / camera.distance;
+    this.rods.uniforms.pixel.value = unitPixel;
+    for (const markers of Object.values(this.markers)) markers.setPixel(unitPixel);
+    const middle: Vec3 = [camera.target[0], camera.target[1], this.ground];
+    this.grid.place(middle, pixel * screen.height);
+    this.renderer.render(this.scene, eye);
+    this.onDrawn();
+  }
+}
