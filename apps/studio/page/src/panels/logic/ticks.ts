@@ -23,7 +23,7 @@ export function tickDigits(marks: readonly number[]): number {
 
 /** Number of values in each of `count` equal parts of low..high; what is outside counts in the first or last. */
 export function histogram(values: ArrayLike<number>, low: number, high: number, count: number): number[] {
-  const bins = new Array<number>(count).fill(0);
+  const bins = Array.from({ length: count }, () => 0);
   if (!(high > low)) return bins;
   for (let i = 0; i < values.length; ++i) {
     const value = values[i];

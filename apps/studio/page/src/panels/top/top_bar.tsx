@@ -1,0 +1,42 @@
+// The bar at the top: menu, file, modes, history, search, settings.
+
+import { inspectorOpen, project, treeOpen } from '../../core/store';
+import { Button, CommandButton } from '../parts/button';
+import { FileMenu } from './file_menu';
+import { MainMenu } from './main_menu';
+import { ModeTabs } from './mode_tabs';
+import { SettingsPopover } from './settings_popover';
+
+export function TopBar() {
+  return (
+    <header class="top">
+      <div class="top-start">
+        <MainMenu />
+        <FileMenu />
+        {project.value && !project.value.saved && (
+          <span class="unsaved" role="img" aria-label="Not saved yet" title="Not saved yet" />
+        )}
+      </div>
+      <ModeTabs />
+      <div class="top-end">
+        <CommandButton id="edit.undo" icon="undo" />
+        <CommandButton id="edit.redo" icon="redo" />
+        <CommandButton id="help.commands" icon="search" />
+        <SettingsPopover />
+        <CommandButton id="help.keys" icon="help" />
+        <Button
+          icon="panel-left"
+          label={treeOpen.value ? 'Hide the tree' : 'Show the tree'}
+          pressed={treeOpen.value}
+          onClick={() => (treeOpen.value = !treeOpen.value)}
+        />
+        <Button
+          icon="panel-right"
+          label={inspectorOpen.value ? 'Hide the inspector' : 'Show the inspector'}
+          pressed={inspectorOpen.value}
+          onClick={() => (inspectorOpen.value = !inspectorOpen.value)}
+        />
+      </div>
+    </header>
+  );
+}
