@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { Connection, connect, type Wire } from './core/connection';
 import { App } from './panels/app';
+import { startPanels } from './panels/start';
 import './style/index.css';
 
 function openWire(): Wire {
@@ -9,6 +10,7 @@ function openWire(): Wire {
   return new WebSocket(address) as unknown as Wire;
 }
 
+startPanels(localStorage);
 const root = document.getElementById('app');
 if (root) render(<App />, root);
 connect(new Connection(openWire, (run) => requestAnimationFrame(run)));
