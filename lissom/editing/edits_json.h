@@ -3,6 +3,7 @@
 /// studio's page, the reader and the documentation take names, fields and sentences (docs/studio/protocol.md, "Edits").
 /// Lengths are mm and angles degrees in edits, SI in the model.
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -14,17 +15,25 @@
 
 namespace lissom {
 
+/// How names fared in an edit. What is not listed kept its name, or went.
+struct NameChanges {
+  std::map<std::string, std::string> points;             ///< of points: old -> new
+  std::map<std::string, std::vector<std::string>> rods;  ///< of rods of the plan: old -> those that took its place
+};
+
 /// What an edit makes of a model.
 struct EditOutcome {
   Model model;
-  std::string title;               ///< of the step, for people: "Move point b1-l"
-  std::vector<std::string> notes;  ///< what else had to change, one sentence each
+  std::string title{};               ///< of the step, for people: "Move point b1-l"
+  std::vector<std::string> notes{};  ///< what else had to change, one sentence each
+  NameChanges names{};
 };
 
 /// One field of an edit.
 struct EditField {
   std::string_view name;
-  std::string_view kind;  ///< "point", "points", "rod", "rods", "place", "number", "text", "flag", "choice", "list"
+  std::string_view
+      kind;  ///< "point", "points", "rod", "rods", "place", "pair", "number", "text", "flag", "choice", "list"
   std::string_view unit;  ///< "mm", "deg", or empty
   bool optional = false;
   std::string_view sentence;
@@ -41,7 +50,8 @@ struct EditInfo {
   Result<EditOutcome> (*apply)(const Model& model, EditReader& edit);
 };
 
-std::span<const EditInfo> edits();
+/// All of them, in the order in which people look for them.
+std::span<const EditInfo* const> edits();
 
 /// The model after an edit. Strict: unknown fields and names, wrong kinds and numbers that are not finite are refused, with
 /// the place in the edit ("/edit/points/2"). The result has passed Model::validate(). With a mirror symmetry among the

@@ -1,0 +1,13 @@
+#pragma once
+/// What a document says about points and rods of its plan by name, after an edit has renamed, cut, joined or removed some.
+
+#include "lissom/editing/edits_json.h"
+
+namespace lissom {
+
+/// Renames what selections, constraints, loads, designs and expectations name, as `outcome.names` says. A rod that was cut is
+/// named by its parts, a place on it by the part that has it. What named nothing but what is gone goes too, and a note says
+/// so. `before`: the plan before the edit.
+void keep_references(const Plan& before, EditOutcome& outcome);
+
+}  // namespace lissom
