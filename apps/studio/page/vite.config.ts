@@ -1,9 +1,21 @@
-import { defineConfig } from 'vite';
+import type { Server } from 'node:http';
+import { defineConfig, type Plugin } from 'vite';
+
+/** `npm run dev` answers /live by the stand-in engine; the built page has no part of it. */
+const standIn: Plugin = {
+  name: 'stand-in-engine',
+  apply: 'serve',
+  async configureServer(server) {
+    const { attach } = await import('./dev/engine');
+    if (server.httpServer) attach(server.httpServer as Server);
+  },
+};
 
 // The page is baked into the executable and served under `default-src 'self'`: nothing may be inlined as data: and no
 // script may stand in the HTML, hence no module preload polyfill and assets as files.
 export default defineConfig({
   base: './',
+  plugins: [standIn],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     target: 'es2022',

@@ -4,6 +4,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineSegments, Mesh, Vector2, type RawShaderMaterial } from 'three';
 import { FabricFrame, setWeights } from '../core/fabric_frame';
 import type { TopologyPack } from '../core/protocol';
+import { everywhere } from './everywhere';
 import { fabricFragment, fabricVertex } from './fabric_shader';
 import type { Palette } from './palette';
 import { material, setColour, vec } from './shading';
@@ -39,9 +40,9 @@ export class Fabric {
       ground: { value: vec(palette.ground) },
       selectColour: { value: vec(palette.select) },
     };
-    this.mesh = new Mesh(new BufferGeometry(), material(fabricVertex, fabricFragment, uniforms, { transparent: true }));
+    this.mesh = new Mesh(everywhere(new BufferGeometry()), material(fabricVertex, fabricFragment, uniforms, { transparent: true }));
     this.lines = new LineSegments(
-      new BufferGeometry(),
+      everywhere(new BufferGeometry()),
       material(kLineVertex, kLineFragment, { ink: { value: vec(palette.ink) } }, { transparent: true, depthWrite: false }),
     );
     for (const object of [this.mesh, this.lines]) {
@@ -60,14 +61,14 @@ export class Fabric {
     const nodes = topology.plan_places.length / 2;
     this.frame = new FabricFrame(topology.triangles, topology.plan_places, nodes);
     this.mesh.geometry.dispose();
-    const geometry = new BufferGeometry();
+    const geometry = everywhere(new BufferGeometry());
     geometry.setIndex(new BufferAttribute(topology.triangles, 1));
     geometry.setAttribute('position', dynamic(new Float32Array(3 * nodes), 3));
     geometry.setAttribute('normal', dynamic(this.frame.normals, 3));
     geometry.setAttribute('extra', dynamic(this.frame.extra, 3));
     this.mesh.geometry = geometry;
     this.lines.geometry.dispose();
-    const lines = new BufferGeometry();
+    const lines = everywhere(new BufferGeometry());
     lines.setAttribute('position', geometry.getAttribute('position'));
     lines.setIndex(new BufferAttribute(edgesOf(topology.triangles), 1));
     this.lines.geometry = lines;

@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments,
 import type { Colour } from '../core/colours';
 import { forEachEdge } from '../core/picking';
 import type { TopologyPack } from '../core/protocol';
+import { everywhere } from './everywhere';
 import { material, setColour, vec } from './shading';
 
 const kVertex = /* glsl */ `
@@ -26,8 +27,8 @@ export class Ghost {
   constructor(colour: Colour, fabricAlpha: number, rodAlpha: number) {
     const paint = (alpha: number) =>
       material(kVertex, kFragment, { ink: { value: vec(colour) }, alpha: { value: alpha } }, { transparent: true, depthWrite: false });
-    this.fabric = new Mesh(new BufferGeometry(), paint(fabricAlpha));
-    this.rods = new LineSegments(new BufferGeometry(), paint(rodAlpha));
+    this.fabric = new Mesh(everywhere(new BufferGeometry()), paint(fabricAlpha));
+    this.rods = new LineSegments(everywhere(new BufferGeometry()), paint(rodAlpha));
     this.fabric.frustumCulled = this.rods.frustumCulled = false;
     this.fabric.renderOrder = 4;
     this.rods.renderOrder = 5;
@@ -67,7 +68,7 @@ export class Ghost {
       [this.rods, Uint32Array.from(edges)],
     ] as const) {
       object.geometry.dispose();
-      object.geometry = new BufferGeometry();
+      object.geometry = everywhere(new BufferGeometry());
       object.geometry.setAttribute('position', places);
       object.geometry.setIndex(new BufferAttribute(index, 1));
     }

@@ -1,6 +1,7 @@
 // The ground: a grid that fades away from the object. Its step follows the zoom in decades.
 
 import { BufferAttribute, BufferGeometry, LineSegments, Vector3, type RawShaderMaterial } from 'three';
+import { everywhere } from './everywhere';
 import type { Palette } from './palette';
 import { material, setColour, vec } from './shading';
 
@@ -36,7 +37,7 @@ export class Grid {
       reach: { value: 300 },
       ink: { value: vec(palette.grid) },
     };
-    const geometry = new BufferGeometry();
+    const geometry = everywhere(new BufferGeometry());
     geometry.setAttribute('position', new BufferAttribute(gridLines(), 3));
     this.lines = new LineSegments(geometry, material(kVertex, kFragment, uniforms, { transparent: true, depthWrite: false }));
     this.lines.frustumCulled = false;

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, InstancedBufferGeometry, Mesh, type RawShaderMaterial } from 'three';
 import type { Colour } from '../core/colours';
+import { everywhere } from './everywhere';
 import { resize, writing } from './instances';
 import { kLight, material } from './shading';
 
@@ -134,7 +135,7 @@ function cube(): InstancedBufferGeometry {
 }
 
 function built(places: number[], normals: number[]): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
+  const geometry = everywhere(new InstancedBufferGeometry());
   geometry.setAttribute('position', new BufferAttribute(Float32Array.from(places), 3));
   geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(normals), 3));
   return geometry;

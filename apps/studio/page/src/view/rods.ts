@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { chainsOf, fillSlots, slotRadii, tubeMesh, type Chains } from '../core/chains';
 import type { TopologyPack } from '../core/protocol';
+import { everywhere } from './everywhere';
 import type { Palette } from './palette';
 import { rodFragment, rodVertex } from './rods_shader';
 import { material, setColour, vec } from './shading';
@@ -65,7 +66,7 @@ export class Rods {
       hoverColour: { value: vec(palette.hover) },
       warnColour: { value: vec(palette.warn) },
     };
-    this.mesh = new Mesh(new BufferGeometry(), material(rodVertex, rodFragment, uniforms));
+    this.mesh = new Mesh(everywhere(new BufferGeometry()), material(rodVertex, rodFragment, uniforms));
     this.mesh.frustumCulled = false;
     this.mesh.visible = false;
   }
@@ -131,7 +132,7 @@ export class Rods {
     if (!this.topology || !this.chains) return;
     const { vertices, index } = tubeMesh(this.topology, this.chains, this.sides);
     this.mesh.geometry.dispose();
-    const geometry = new BufferGeometry();
+    const geometry = everywhere(new BufferGeometry());
     geometry.setAttribute('corner', new BufferAttribute(vertices, 4));
     geometry.setIndex(new BufferAttribute(index, 1));
     this.mesh.geometry = geometry;

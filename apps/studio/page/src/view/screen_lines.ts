@@ -3,6 +3,7 @@
 
 import { BufferAttribute, InstancedBufferGeometry, Mesh, Vector2, type RawShaderMaterial } from 'three';
 import type { Colour } from '../core/colours';
+import { everywhere } from './everywhere';
 import { resize, writing } from './instances';
 import { material } from './shading';
 
@@ -86,7 +87,7 @@ export class ScreenLines {
 }
 
 function quad(): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
+  const geometry = everywhere(new InstancedBufferGeometry());
   geometry.setAttribute('position', new BufferAttribute(Float32Array.of(0, -1, 1, -1, 1, 1, 0, 1), 2));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
   return geometry;
