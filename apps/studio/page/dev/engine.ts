@@ -56,11 +56,12 @@ function serve(wire: WebSocket): void {
     const request = JSON.parse(String(data)) as Request & { id: number };
     const answer: Record<string, unknown> = { id: request.id, ok: true };
     if (request.do === 'hello') {
-      Object.assign(answer, { version: 'stand-in', name: 'lissom', folder: '.', edits: [], fields: { rods: ['axial strain'], fabric: ['smallest stretch'] }, templates: ['disc'], materials: ['PLA'] });
+      Object.assign(answer, { version: 'stand-in', name: 'lissom', folder: '.', edits: [], fields: { rods: [{ ...fieldRods, sentence: '' }], fabric: [{ ...fieldFabric, sentence: '' }] }, templates: [{ name: 'disc', title: 'Disc', sentence: 'A ring.' }], materials: { rods: ['PLA'], fabric: ['knit'] } });
       say(answer);
       everything();
       return;
     }
+    if (request.do === 'files') Object.assign(answer, { files: [], recent: [], designs: [] });
     if (request.do === 'handle_begin') Object.assign(answer, { center_mm: [60, 20, 12], weights: 30, parameters: 20 });
     say(answer);
     if (request.do === 'drag') {

@@ -159,15 +159,22 @@ export interface EditInfo {
   fields: unknown;
 }
 
-/** Answer to `hello`. The lists are as the engine gives them; a name may stand alone or in an object with `name`. */
+export interface NamedField {
+  name: string;
+  unit: string;
+  sentence: string;
+}
+
+/** Answer to `hello`. */
 export interface Hello {
   version: string;
-  name: string;
   folder: string;
   edits: EditInfo[];
-  fields: { rods: string[]; fabric: string[] };
-  templates: (string | { name: string; title: string })[];
-  materials: (string | { name: string; title?: string })[];
+  fields: { rods: NamedField[]; fabric: NamedField[] };
+  /** `lines_mm`: the rods of the plan, for drawing. */
+  templates: { name: string; title: string; sentence: string; lines_mm?: Vec2[][] }[];
+  /** Names. */
+  materials: { rods: string[]; fabric: string[] };
 }
 
 export interface FileEntry {
@@ -180,7 +187,8 @@ export interface FileEntry {
 export interface FilesAnswer {
   files: FileEntry[];
   recent: string[];
-  designs: { name: string; title: string; points: number }[];
+  /** `lines_mm`: the rods of the plan, for drawing. */
+  designs: { name: string; title: string; points: number; lines_mm?: Vec2[][] }[];
 }
 
 export interface HandleAnswer {

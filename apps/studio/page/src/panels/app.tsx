@@ -1,7 +1,9 @@
 // The page: a bar, three columns, one line at the foot.
 
+import { useEffect, useRef } from 'preact/hooks';
 import { AppDialogs } from './dialogs/dialogs';
 import { RecoverBar } from './dialogs/recover_bar';
+import { watchWidth } from './layout_state';
 import { LeftSide } from './left/left_side';
 import { Middle } from './middle/middle';
 import { RightSide } from './right/right_side';
@@ -9,8 +11,10 @@ import { TopBar } from './top/top_bar';
 import { VerdictBar } from './verdict/verdict_bar';
 
 export function App() {
+  const page = useRef<HTMLDivElement>(null);
+  useEffect(() => (page.current ? watchWidth(page.current) : undefined), []);
   return (
-    <div class="app">
+    <div ref={page} class="app">
       <div class="frame">
         <div>
           <TopBar />

@@ -6,13 +6,11 @@ import { send } from '../core/connection';
 import {
   connection,
   dialog,
-  inspectorOpen,
   lookOnly,
   navigation,
   planDock,
   quality,
   theme,
-  treeOpen,
   uiScale,
   type NavigationPreset,
   type PlanDock,
@@ -20,6 +18,7 @@ import {
   type Theme,
 } from '../core/store';
 import { save } from './files';
+import { sideShown, toggleSide } from './layout_state';
 import { writeExport, writePicture } from './make/write';
 
 const open = () => connection.value === 'open';
@@ -111,16 +110,16 @@ const layout: Command[] = [
     title: 'Tree',
     group: 'View',
     icon: 'panel-left',
-    checked: () => treeOpen.value,
-    run: () => (treeOpen.value = !treeOpen.value),
+    checked: () => sideShown('tree'),
+    run: () => toggleSide('tree'),
   },
   {
     id: 'panel.inspector',
     title: 'Inspector',
     group: 'View',
     icon: 'panel-right',
-    checked: () => inspectorOpen.value,
-    run: () => (inspectorOpen.value = !inspectorOpen.value),
+    checked: () => sideShown('inspector'),
+    run: () => toggleSide('inspector'),
   },
   ...docks.map(({ dock, title }) => choice('dock', dock, title, planDock)),
   ...themes.map(({ value, title }) => choice('theme', value, title, theme)),

@@ -15,7 +15,7 @@ export function CommandSearch() {
   const list = useRef<HTMLUListElement>(null);
   const all = commands();
   const found = useMemo(
-    () => matches(query, all, (c) => `${c.title} ${c.group} ${c.help ?? ''}`).slice(0, kMost),
+    () => matches(query, all, (c) => c.title, (c) => `${c.group} ${c.help ?? ''}`).slice(0, kMost),
     [query, all],
   );
   const close = () => (dialog.value = '');

@@ -6,10 +6,8 @@ import type { FilesAnswer } from '../../core/protocol';
 import { dialog, hello } from '../../core/store';
 import { beginWith, openFile } from '../files';
 import { agoText, bytesText, counted } from '../logic/number_text';
-import { drawingPath, kindText, openable, startTemplates, titleOf, type Drawing } from '../logic/start_entries';
+import { drawingPath, kindText, openable, titleOf, type Drawing } from '../logic/start_entries';
 import { Modal } from '../parts/modal';
-
-type Design = FilesAnswer['designs'][number] & { lines_mm?: Drawing };
 
 export function StartDialog() {
   const [answer, setAnswer] = useState<FilesAnswer | null>(null);
@@ -18,22 +16,21 @@ export function StartDialog() {
       if (got.ok) setAnswer(got as unknown as FilesAnswer);
     });
   }, []);
-  const templates = startTemplates(hello.value?.templates);
   return (
     <Modal title="Begin" class="wide" onClose={() => (dialog.value = '')}>
       <div class="start">
         <section aria-labelledby="start-templates">
           <h3 id="start-templates">New, from a template</h3>
           <ul class="cards">
-            {templates.map(({ name, title, sentence, lines_mm }) => (
-              <Card key={name} title={title} text={sentence} drawing={lines_mm} onTake={() => void beginWith(name)} />
+            {hello.value?.templates.map(({ name, title, sentence, lines_mm }) => (
+              <Card key={name} title={title} text={sentence} drawing={lines_mm ?? []} onTake={() => void beginWith(name)} />
             ))}
           </ul>
         </section>
         <section aria-labelledby="start-designs">
           <h3 id="start-designs">Designs that come with lissom</h3>
           <ul class="cards">
-            {((answer?.designs ?? []) as Design[]).map((design) => (
+            {answer?.designs.map((design) => (
               <Card
                 key={design.name}
                 title={design.title || titleOf(design.name)}

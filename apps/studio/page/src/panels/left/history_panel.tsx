@@ -2,7 +2,7 @@
 
 import { send } from '../../core/connection';
 import { history } from '../../core/store';
-import { agoText } from '../logic/number_text';
+import { whenText } from '../logic/number_text';
 import { useEffect, useRef } from 'preact/hooks';
 
 export function HistoryPanel() {
@@ -25,7 +25,7 @@ export function HistoryPanel() {
           >
             <span class="tree-title">{step.title}</span>
             <span class="small soft">
-              {k === now.saved_at ? 'saved' : Number.isFinite(step.seconds) ? agoText(step.seconds) : ''}
+              {k === now.saved_at ? 'saved' : Number.isFinite(step.seconds) ? whenText(step.seconds, Date.now() / 1000) : ''}
             </span>
           </button>
         </li>

@@ -1,12 +1,13 @@
 // The left column: what there is, and what was done.
 
 import { Section } from '../parts/section';
-import { history, treeOpen } from '../../core/store';
+import { history } from '../../core/store';
+import { sideShown } from '../layout_state';
 import { HistoryPanel } from './history_panel';
 import { Tree } from './tree';
 
 export function LeftSide() {
-  if (!treeOpen.value) return null;
+  if (!sideShown('tree')) return null;
   const steps = history.value?.steps.length ?? 0;
   return (
     <nav class="side left" aria-label="Scene and history">

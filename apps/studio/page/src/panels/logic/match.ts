@@ -32,11 +32,16 @@ function inOrder(word: string, line: string): boolean {
   return true;
 }
 
+/** What the title says counts more than what else is known. */
+function ratedBy(query: string, title: string, more: string): number {
+  return 10 * score(query, title) + score(query, `${title} ${more}`);
+}
+
 /** The entries that answer, best first; all in their order for an empty query. */
-export function matches<T>(query: string, entries: readonly T[], textOf: (entry: T) => string): T[] {
+export function matches<T>(query: string, entries: readonly T[], titleOf: (entry: T) => string, moreOf: (entry: T) => string): T[] {
   if (query.trim() === '') return [...entries];
   return entries
-    .map((entry, order) => ({ entry, order, score: score(query, textOf(entry)) }))
+    .map((entry, order) => ({ entry, order, score: ratedBy(query, titleOf(entry), moreOf(entry)) }))
     .filter((found) => found.score > 0)
     .sort((a, b) => b.score - a.score || a.order - b.order)
     .map((found) => found.entry);

@@ -1,6 +1,5 @@
-// Materials that the engine knows, whichever way it names them.
+// Materials that the engine knows, for a choice.
 
-import type { Hello } from '../../core/protocol';
 import { sentenceCase } from './words';
 
 export interface MaterialChoice {
@@ -9,12 +8,8 @@ export interface MaterialChoice {
 }
 
 /** For a choice: those of the engine, and the present one where it is not among them. */
-export function materialChoices(known: Hello['materials'] | undefined, present: string): MaterialChoice[] {
-  const choices = (known ?? []).map((material) =>
-    typeof material === 'string'
-      ? { value: material, title: sentenceCase(material) }
-      : { value: material.name, title: sentenceCase(material.title ?? material.name) },
-  );
+export function materialChoices(known: readonly string[] = [], present: string): MaterialChoice[] {
+  const choices = known.map((name) => ({ value: name, title: sentenceCase(name) }));
   if (present !== '' && !choices.some((choice) => choice.value === present)) {
     choices.unshift({ value: present, title: `${sentenceCase(present)} (of this file)` });
   }

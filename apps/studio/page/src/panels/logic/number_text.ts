@@ -52,3 +52,12 @@ export function agoText(seconds: number): string {
   if (seconds < 129600) return `${counted(Math.round(seconds / 3600), 'hour')} ago`;
   return `${counted(Math.round(seconds / 86400), 'day')} ago`;
 }
+
+/** Time of day, or the date where it was another day; both s since 1970. */
+export function whenText(seconds: number, now: number): string {
+  const when = new Date(1000 * seconds);
+  const sameDay = when.toDateString() === new Date(1000 * now).toDateString();
+  const two = (n: number) => String(n).padStart(2, '0');
+  if (sameDay) return `${two(when.getHours())}:${two(when.getMinutes())}`;
+  return `${when.getFullYear()}-${two(when.getMonth() + 1)}-${two(when.getDate())}`;
+}

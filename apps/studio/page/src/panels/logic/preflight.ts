@@ -101,7 +101,7 @@ function summary(warnings: readonly Warning[]): string {
   const [first] = warnings;
   const rest = warnings.length > 1 ? ` And ${counted(warnings.length - 1, 'more place', 'more places')}.` : '';
   const value = first.unit === '' ? fixed(first.value, 3) : withUnit(first.value, first.unit);
-  return `${sentence(`${first.where}: ${value}`)} ${sentence(first.remedy)}${rest}`;
+  return `${first.where}: ${value}. ${sentence(first.remedy)}${rest}`;
 }
 
 function thinnest({ plan }: Facts): string {

@@ -1,26 +1,9 @@
 // What the start page offers, from what the engine lists.
 
-import type { FileEntry, Hello } from '../../core/protocol';
+import type { FileEntry } from '../../core/protocol';
 
 /** A drawing of rods: the lines of a plan, mm, y up. */
 export type Drawing = ReadonlyArray<ReadonlyArray<readonly [number, number]>>;
-
-export interface StartTemplate {
-  name: string;
-  title: string;
-  sentence: string;
-  lines_mm: Drawing;
-}
-
-type Listed = Hello['templates'][number] & { sentence?: string; lines_mm?: Drawing };
-
-export function startTemplates(listed: Hello['templates'] | undefined): StartTemplate[] {
-  return (listed ?? []).map((entry) => {
-    if (typeof entry === 'string') return { name: entry, title: titleOf(entry), sentence: '', lines_mm: [] };
-    const { name, title, sentence = '', lines_mm = [] } = entry as Exclude<Listed, string>;
-    return { name, title: title || titleOf(name), sentence, lines_mm };
-  });
-}
 
 /** "disc-crossed" as "Disc crossed". */
 export function titleOf(name: string): string {

@@ -49,7 +49,7 @@ export function ToolStrip() {
           pressed={!running.value}
           onClick={() => run('solve.toggle')}
         >
-          {running.value ? 'Follows' : 'Waits'}
+          {running.value ? 'Live' : 'On hold'}
         </Button>
       </div>
     </div>

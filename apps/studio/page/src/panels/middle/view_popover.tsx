@@ -1,6 +1,7 @@
 // What the view shows: values as colours, parts, overlays.
 
 import { setFields } from '../../core/fields';
+import type { NamedField } from '../../core/protocol';
 import { fabricField, hello, rodField, show } from '../../core/store';
 import { Choice, Switch } from '../parts/choice';
 import { Popover } from '../parts/popover';
@@ -39,9 +40,9 @@ export function ViewPopover() {
 
 export function FieldChoices() {
   const known = hello.value?.fields;
-  const options = (names: readonly string[] | undefined) => [
+  const options = (fields: readonly NamedField[] | undefined) => [
     { value: '', title: 'Plain material' },
-    ...(names ?? []).map((name) => ({ value: name, title: sentenceCase(name) })),
+    ...(fields ?? []).map(({ name, unit }) => ({ value: name, title: unit === '' || unit === '1' ? sentenceCase(name) : `${sentenceCase(name)}, ${unit}` })),
   ];
   return (
     <>

@@ -16,7 +16,7 @@ export function Section({ title, aside, open = true, children }: SectionProps) {
     <details class="section" open={open}>
       <summary>
         <Icon name="right" />
-        <h3>{title}</h3>
+        <h2>{title}</h2>
         {aside !== undefined && <span class="section-aside small soft">{aside}</span>}
       </summary>
       <div class="section-body stack">{children}</div>

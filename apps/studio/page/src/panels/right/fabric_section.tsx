@@ -22,7 +22,7 @@ export function FabricSection() {
       <Choice
         label="Material"
         value={fabric.material}
-        options={materialChoices(hello.value?.materials, fabric.material)}
+        options={materialChoices(hello.value?.materials.fabric, fabric.material)}
         disabled={lookOnly.value}
         onChoose={(material) => void fieldEdit({ name: 'set_fabric', material })}
       />

@@ -34,7 +34,7 @@ export function AllRodsSection() {
       <Choice
         label="Material"
         value={now.material}
-        options={materialChoices(hello.value?.materials, now.material)}
+        options={materialChoices(hello.value?.materials.rods, now.material)}
         disabled={lookOnly.value}
         onChoose={(material) => void fieldEdit({ name: 'set_rods', material })}
       />

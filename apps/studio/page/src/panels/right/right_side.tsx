@@ -1,6 +1,7 @@
 // The right column: what the mode of work is about, and what is selected.
 
-import { inspectorOpen, selection, workMode } from '../../core/store';
+import { selection, workMode } from '../../core/store';
+import { sideShown } from '../layout_state';
 import { counted } from '../logic/number_text';
 import { Section } from '../parts/section';
 import { ConstraintsSection } from './constraints_section';
@@ -13,7 +14,7 @@ import { RodsSection } from './rods_section';
 import { ShapePanel } from './shape_panel';
 
 export function RightSide() {
-  if (!inspectorOpen.value) return null;
+  if (!sideShown('inspector')) return null;
   return (
     <aside class="side right" aria-label="Inspector">
       <div id="inspector" class="side-body" role="tabpanel" aria-labelledby={`tab-${workMode.value}`} tabIndex={-1}>

@@ -2,6 +2,7 @@
 
 import { run } from '../../core/commands';
 import { workMode, type WorkMode } from '../../core/store';
+import { sideShown } from '../layout_state';
 
 export const workModes: ReadonlyArray<{ mode: WorkMode; title: string; help: string }> = [
   { mode: 'draw', title: 'Draw', help: 'Draw rods and fabric in the plan' },
@@ -35,7 +36,7 @@ export function ModeTabs() {
           class="tab"
           role="tab"
           aria-selected={workMode.value === mode}
-          aria-controls="inspector"
+          aria-controls={sideShown('inspector') ? 'inspector' : undefined}
           tabIndex={workMode.value === mode ? 0 : -1}
           title={help}
           onClick={() => take(mode)}

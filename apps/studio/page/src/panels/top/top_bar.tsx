@@ -1,6 +1,7 @@
 // The bar at the top: menu, file, modes, history, search, settings.
 
-import { inspectorOpen, project, treeOpen } from '../../core/store';
+import { project } from '../../core/store';
+import { sideShown, toggleSide } from '../layout_state';
 import { Button, CommandButton } from '../parts/button';
 import { FileMenu } from './file_menu';
 import { MainMenu } from './main_menu';
@@ -10,6 +11,7 @@ import { SettingsPopover } from './settings_popover';
 export function TopBar() {
   return (
     <header class="top">
+      <h1 class="visually-hidden">lissom studio</h1>
       <div class="top-start">
         <MainMenu />
         <FileMenu />
@@ -26,15 +28,15 @@ export function TopBar() {
         <CommandButton id="help.keys" icon="help" />
         <Button
           icon="panel-left"
-          label={treeOpen.value ? 'Hide the tree' : 'Show the tree'}
-          pressed={treeOpen.value}
-          onClick={() => (treeOpen.value = !treeOpen.value)}
+          label={sideShown('tree') ? 'Hide the tree' : 'Show the tree'}
+          pressed={sideShown('tree')}
+          onClick={() => toggleSide('tree')}
         />
         <Button
           icon="panel-right"
-          label={inspectorOpen.value ? 'Hide the inspector' : 'Show the inspector'}
-          pressed={inspectorOpen.value}
-          onClick={() => (inspectorOpen.value = !inspectorOpen.value)}
+          label={sideShown('inspector') ? 'Hide the inspector' : 'Show the inspector'}
+          pressed={sideShown('inspector')}
+          onClick={() => toggleSide('inspector')}
         />
       </div>
     </header>

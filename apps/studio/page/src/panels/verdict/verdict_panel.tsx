@@ -54,7 +54,7 @@ function Reason() {
         <h2>{line.text}</h2>
         <Button icon="close" label="Close" onClick={() => (dialog.value = '')} />
       </div>
-      {now && <p>{sentence(now.sentence)}</p>}
+      {now && line.tone === 'calm' && <p>{sentence(now.sentence)}</p>}
       {now && <Remedy of={now} />}
       {now && <Worst of={now} />}
       {now && <Figures of={now} />}

@@ -21,7 +21,7 @@ export function WarningList({ of }: { of: readonly Warning[] }) {
             </strong>
           </p>
           <p>
-            {warning.where && <span class="soft">{sentence(warning.where)} </span>}
+            {warning.where && <span class="soft">{warning.where}: </span>}
             {sentence(warning.remedy)}
           </p>
           <WarningActions warning={warning} index={k} />
