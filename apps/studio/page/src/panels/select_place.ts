@@ -38,5 +38,5 @@ export function selectPlace(place: Place): void {
     rods: rod !== undefined && rodIndex.peek().has(rod) ? [rod] : [],
     points: place.point !== undefined && pointIndex.peek().has(place.point) ? [place.point] : [],
   });
-  run('view.fit');
+  run('view.fit_selection');
 }

@@ -2,9 +2,10 @@
 
 import { useState } from 'preact/hooks';
 import { announce, commands, keyOverrides, keysOf, type Command } from '../../core/commands';
+import { chordOf } from '../../core/keys';
 import { dialog } from '../../core/store';
 import { holderOf, withKeys, withoutChoice } from '../logic/key_map';
-import { keyText, pressedKeys } from '../logic/keys';
+import { keyText } from '../logic/keys';
 import { Button } from '../parts/button';
 import { Modal } from '../parts/modal';
 
@@ -50,7 +51,7 @@ function KeyRow({ of, waiting, onWait }: { of: Command; waiting: boolean; onWait
   const own = keyOverrides.value[of.id] !== undefined;
   const pressed = (event: KeyboardEvent) => {
     if (!waiting) return;
-    const wanted = pressedKeys(event);
+    const wanted = chordOf(event);
     if (wanted === '' || wanted === 'Tab' || wanted === 'Shift+Tab') return;
     event.preventDefault();
     event.stopPropagation();

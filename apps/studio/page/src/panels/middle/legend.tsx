@@ -20,8 +20,9 @@ interface LegendProps {
   onRange: (low: number, high: number) => void;
 }
 
-const kWidth = 240;
-const kBars = 28;
+/** Units of the drawing are pixels at an interface of 100 %. */
+const kWidth = 180;
+const kBars = 24;
 const kBand = 10;
 
 export function Legend(props: LegendProps) {
@@ -68,7 +69,7 @@ function Scale({ field, low, high, bins }: { field: FieldInfo; low: number; high
   const text = (value: number) => (digits > 4 ? short(value, 2) : fixed(value, digits));
   const summary = `from ${short(low)} to ${short(high)}; values lie between ${short(field.low)} and ${short(field.high)}`;
   return (
-    <svg class="legend-scale" viewBox={`-14 0 ${kWidth + 28} ${kBars + kBand + 18}`} role="img" aria-label={summary}>
+    <svg class="legend-scale" viewBox={`-14 0 ${kWidth + 28} ${kBars + kBand + 20}`} role="img" aria-label={summary}>
       {bins.map((count, i) => {
         const tall = (Math.sqrt(count / most) * (kBars - 2)) | 0;
         return <rect key={i} class="legend-bar" x={i * wide + 0.5} y={kBars - tall} width={wide - 1} height={tall} />;
@@ -88,7 +89,7 @@ function Scale({ field, low, high, bins }: { field: FieldInfo; low: number; high
         return (
           <g key={value}>
             <line class="legend-tick" x1={x} x2={x} y1={kBars + kBand} y2={kBars + kBand + 3} />
-            <text class="legend-text" x={x} y={kBars + kBand + 14} text-anchor="middle">
+            <text class="legend-text" x={x} y={kBars + kBand + 15} text-anchor="middle">
               {text(value)}
             </text>
           </g>

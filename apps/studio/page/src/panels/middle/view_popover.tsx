@@ -2,7 +2,7 @@
 
 import { setFields } from '../../core/fields';
 import type { NamedField } from '../../core/protocol';
-import { fabricField, hello, rodField, show } from '../../core/store';
+import { fabricField, hello, orthographic, rodField, show } from '../../core/store';
 import { Choice, Switch } from '../parts/choice';
 import { Popover } from '../parts/popover';
 import { sentenceCase } from '../logic/words';
@@ -32,6 +32,7 @@ export function ViewPopover() {
           <FieldChoices />
           <Parts title="Parts" of={parts} />
           <Parts title="Overlays" of={overlays} />
+          <Switch label="Parallel projection" checked={orthographic.value} onSwitch={(on) => (orthographic.value = on)} />
         </div>
       )}
     </Popover>
