@@ -6,6 +6,7 @@ import { dragging, lookOnly, planDock, project, toolHint, type PlanDock } from '
 import { beganBefore } from '../layout_state';
 import { Button } from '../parts/button';
 import type { IconName } from '../parts/icon';
+import { SnappingPopover } from './snapping_popover';
 
 const docks: ReadonlyArray<{ dock: PlanDock; icon: IconName; label: string }> = [
   { dock: 'below', icon: 'panel-bottom', label: 'Plan below the shape' },
@@ -25,6 +26,7 @@ export function PlanBar() {
     <div class="view-bar">
       <h2>Plan</h2>
       <p class="hint soft">{hint()}</p>
+      <SnappingPopover />
       <div class="row" role="group" aria-label="Place of the plan">
         {docks.map(({ dock, icon, label }) => (
           <Button key={dock} icon={icon} label={label} pressed={planDock.value === dock} onClick={() => (planDock.value = dock)} />

@@ -2,7 +2,7 @@
 
 import { setFields } from '../../core/fields';
 import type { NamedField } from '../../core/protocol';
-import { fabricField, hello, orthographic, rodField, show } from '../../core/store';
+import { fabricField, hello, orthographic, rodField, selectionFilter, show, type SelectionFilter } from '../../core/store';
 import { Choice, Switch } from '../parts/choice';
 import { Popover } from '../parts/popover';
 import { sentenceCase } from '../logic/words';
@@ -32,6 +32,7 @@ export function ViewPopover() {
           <FieldChoices />
           <Parts title="Parts" of={parts} />
           <Parts title="Overlays" of={overlays} />
+          <Picks />
           <Switch label="Parallel projection" checked={orthographic.value} onSwitch={(on) => (orthographic.value = on)} />
         </div>
       )}
@@ -71,6 +72,24 @@ function Parts({ title, of }: { title: string; of: ReadonlyArray<{ name: keyof t
         const state = show[part.name];
         return <Switch key={part.name} label={part.title} checked={state.value} onSwitch={(on) => (state.value = on)} />;
       })}
+    </fieldset>
+  );
+}
+
+const picks: ReadonlyArray<{ name: keyof SelectionFilter; title: string }> = [
+  { name: 'points', title: 'Control points' },
+  { name: 'rods', title: 'Rods' },
+  { name: 'nodes', title: 'Places of the mesh' },
+];
+
+function Picks() {
+  const now = selectionFilter.value;
+  return (
+    <fieldset class="switches">
+      <legend>A click picks</legend>
+      {picks.map(({ name, title }) => (
+        <Switch key={name} label={title} checked={now[name]} onSwitch={(on) => (selectionFilter.value = { ...now, [name]: on })} />
+      ))}
     </fieldset>
   );
 }

@@ -102,7 +102,6 @@ export function Field(props: FieldProps) {
     <div class="field">
       <label class="field-label" for={id}>
         {label}
-        {unit !== '' && <span class="visually-hidden">, {unit}</span>}
       </label>
       {initial !== undefined && value !== initial && !disabled && (
         <Button
@@ -120,6 +119,7 @@ export function Field(props: FieldProps) {
           inputMode="decimal"
           autocomplete="off"
           role="spinbutton"
+          aria-label={unit === '' ? label : `${label}, ${unit}`}
           aria-valuenow={now}
           aria-valuetext={now === undefined ? 'mixed' : withUnit(now, unit, digits)}
           aria-invalid={problem !== ''}

@@ -15,21 +15,26 @@ interface ModalProps {
 
 export function Modal({ title, onClose, class: extra = '', children, actions }: ModalProps) {
   const element = useRef<HTMLDialogElement>(null);
+  const gone = useRef(false);
   const id = useId();
   useEffect(() => {
     const dialog = element.current;
     dialog?.showModal();
-    return () => dialog?.close();
+    return () => {
+      gone.current = true;
+      dialog?.close();
+    };
   }, []);
+  // Browsers close a dialog on Escape by themselves, at times without asking by `cancel` first.
+  const closed = () => {
+    if (!gone.current) onClose();
+  };
   return (
     <dialog
       ref={element}
       class={`modal ${extra}`}
       aria-labelledby={id}
-      onCancel={(event) => {
-        event.preventDefault();
-        onClose();
-      }}
+      onClose={closed}
       onClick={(event) => {
         if (event.target === element.current) onClose();
       }}

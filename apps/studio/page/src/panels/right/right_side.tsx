@@ -11,6 +11,7 @@ import { MakePanel } from './make_panel';
 import { PointsSection } from './points_section';
 import { AllRodsSection, MeasuresSection, ProjectSection } from './project_section';
 import { RodsSection } from './rods_section';
+import { KeepAsSet } from './set_section';
 import { ShapePanel } from './shape_panel';
 
 export function RightSide() {
@@ -70,6 +71,7 @@ function Selected() {
     <>
       <PointsSection />
       <RodsSection />
+      <KeepAsSet />
       {nodes.size > 0 && (
         <Section title={counted(nodes.size, 'place', 'places')}>
           <p class="soft">Places of the shape, for a handle: change to Shape and pull them.</p>

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { edit, send } from '../../core/connection';
 import type { VerdictEvent } from '../../core/protocol';
-import { connection, dialog, dragging, running, verdict, warnings } from '../../core/store';
+import { connection, dialog, dragging, log, running, verdict, warnings } from '../../core/store';
 import { short, withUnit } from '../logic/number_text';
 import { verdictLine } from '../logic/verdict_line';
 import { sentence, sentenceCase } from '../logic/words';
@@ -13,6 +13,8 @@ import { Facts } from '../parts/facts';
 import { place } from '../parts/popover';
 import { isPlace, selectPlace } from '../select_place';
 import { WarningList } from './warning_list';
+
+const kLines = 20;
 
 export function VerdictPanel() {
   const panel = useRef<HTMLDivElement>(null);
@@ -68,7 +70,24 @@ function Reason() {
           Release from flat
         </Button>
       </div>
+      <Said />
     </div>
+  );
+}
+
+/** The newest lines of the engine's log. */
+function Said() {
+  const lines = log.value.slice(-kLines);
+  if (lines.length === 0) return null;
+  return (
+    <details>
+      <summary>What the engine said</summary>
+      <ol class="small soft">
+        {lines.map((line, k) => (
+          <li key={k}>{line}</li>
+        ))}
+      </ol>
+    </details>
   );
 }
 
