@@ -26,7 +26,7 @@ const kSteepest = Math.PI / 2;
 
 export const homeCamera: Camera = {
   target: [0, 0, 0],
-  yaw: -0.52,
+  yaw: 0.52,
   pitch: 0.56,
   distance: 600,
   orthographic: false,

@@ -53,6 +53,11 @@ export class Connection {
     this.wire?.close();
   }
 
+  /** Requests that have not been answered yet. */
+  get unanswered(): number {
+    return this.waiting.size;
+  }
+
   /** Never rejects: an answer that cannot come is `ok: false` with code "lost". */
   send(request: Request): Promise<Answer> {
     const id = this.nextId++;
@@ -145,4 +150,9 @@ export async function send(request: Request, quiet = false): Promise<Answer> {
 /** Sends one edit: one step of history. */
 export function edit(change: Edit): Promise<Answer> {
   return send({ do: 'edit', edit: change });
+}
+
+/** Requests without an answer, for tests. */
+export function waitingRequests(): number {
+  return engine?.unanswered ?? 0;
 }

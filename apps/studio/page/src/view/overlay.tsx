@@ -47,11 +47,12 @@ function ScaleBar() {
   const step = scaleOf(store.camera.value, size);
   const length = niceLength(110 * step);
   const width = length / step;
+  const x = size.width - 18 - width;
   const y = size.height - 14;
   return (
     <g>
-      <path class="scale-bar" d={`M16 ${y - 5}V${y}H${16 + width}V${y - 5}`} />
-      <text class="overlay-text" x={16 + width / 2} y={y - 6} text-anchor="middle">
+      <path class="scale-bar" d={`M${x} ${y - 5}V${y}H${x + width}V${y - 5}`} />
+      <text class="overlay-text" x={x + width / 2} y={y - 6} text-anchor="middle">
         {`${length} mm`}
       </text>
     </g>

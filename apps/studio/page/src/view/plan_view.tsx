@@ -1,7 +1,98 @@
-// The flat plan as a component. Panels place it once; it fills its container and follows its size.
+// The flat plan as a component, at true size with rulers in mm. Panels place it once; it fills its container and follows
+// its size.
 
+import { effect, signal } from '@preact/signals-core';
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Screen } from '../core/camera';
+import { noteEcho } from '../core/latency';
+import { fitPlan } from '../core/plan_camera';
+import * as store from '../core/store';
+import { paintPlan } from './plan_paint';
+import { kRuler, paintOver } from './plan_paint_over';
+import { listenPlan } from './plan_pointer';
+import { planScene } from './plan_scene';
+import './view.css';
 
 export function PlanView({ children }: { children?: ComponentChildren }) {
-  return <div class="plan-view">{children}</div>;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const surface = useRef<HTMLDivElement>(null);
+
+  useEffect(() => {
+    if (!canvas.current || !surface.current) return;
+    const size = signal<Screen>({ width: 0, height: 0 });
+    const observer = new ResizeObserver(([entry]) => {
+      size.value = { width: Math.round(entry.contentRect.width), height: Math.round(entry.contentRect.height) };
+    });
+    observer.observe(canvas.current);
+    const ends = [paint(canvas.current, size), fits(size), listenPlan(surface.current, () => size.peek())];
+    return () => {
+      observer.disconnect();
+      ends.forEach((end) => end());
+    };
+  }, []);
+
+  return (
+    <div class="plan-view">
+      <canvas ref={canvas} aria-hidden="true" />
+      <div
+        ref={surface}
+        class="view-surface"
+        role="application"
+        aria-label="Flat plan. Select points and rods in the tree or by pointer; arrow keys move what is selected."
+        tabIndex={0}
+      />
+      {children}
+    </div>
+  );
+}
+
+/** Draws before the next picture of the screen whenever something that it shows has changed. */
+function paint(canvas: HTMLCanvasElement, size: { value: Screen }): () => void {
+  const pen = canvas.getContext('2d');
+  let asked = 0;
+  const draw = () => {
+    asked = 0;
+    if (!pen) return;
+    const { width, height } = size.value;
+    if (width < 2 || height < 2) return;
+    const ratio = devicePixelRatio;
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const scene = planScene({ width, height });
+    paintPlan(pen, scene);
+    paintOver(pen, scene);
+    noteEcho(performance.now());
+  };
+  const end = effect(() => {
+    planScene(size.value);
+    if (asked === 0) asked = requestAnimationFrame(draw);
+  });
+  return () => {
+    end();
+    cancelAnimationFrame(asked);
+  };
+}
+
+/** Each project is shown whole when it comes, and when the plan's place on the page changes while nobody has moved it. */
+function fits(size: { value: Screen }): () => void {
+  let fitted = '';
+  let camera = store.planCamera.peek();
+  return effect(() => {
+    const name = store.project.value?.name ?? '';
+    const { width, height } = size.value;
+    const plan = store.plan.value;
+    const untouched = store.planCamera.peek() === camera;
+    const key = `${name} ${untouched ? `${width} ${height}` : ''}`;
+    if (!plan || width < 2 || fitted === key || (!untouched && fitted.startsWith(`${name} `))) return;
+    const places = [...plan.points.map((p) => p.at_mm), ...plan.rods.flatMap((r) => r.line_mm)];
+    const fit = fitPlan(places, { width, height }, kRuler);
+    if (!fit) return;
+    fitted = key;
+    camera = fit;
+    store.planCamera.value = fit;
+  });
 }

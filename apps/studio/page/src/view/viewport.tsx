@@ -5,17 +5,16 @@ import { effect } from '@preact/signals-core';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { Projector } from '../core/camera';
-import { acceptHandle, cancelHandle, gizmoPlace } from '../core/handles';
+import { gizmoPlace } from '../core/handles';
 import { note, notePreview, noteShape } from '../core/latency';
 import * as store from '../core/store';
-import { frameShape, turnView } from './camera_motion';
+import { frameShape } from './camera_motion';
 import { currentView, setCurrentView } from './current';
 import { drawGizmo } from './gizmo_picture';
-import { hotGrip, label, typed } from './local';
+import { hotGrip, label } from './local';
 import { Overlay } from './overlay';
 import { listen3d } from './pointer3d';
 import { probeMachine } from './quality';
-import { endTyping, shapeKey } from './shape_keys';
 import { sync } from './sync';
 import { kHighQuality, kLowQuality, View } from './view';
 import { ViewCube } from './view_cube';
@@ -54,7 +53,7 @@ export function Viewport({ children }: { children?: ComponentChildren }) {
         role="application"
         aria-label="Shape in space. Arrow keys turn it, plus and minus zoom, F fits it."
         tabIndex={0}
-        onKeyDown={keyDown}
+        data-turns
       />
       <Overlay />
       <ViewCube />
@@ -118,35 +117,4 @@ function watch(view: View): () => void {
     view.onDrawn = () => {};
     label.value = null;
   };
-}
-
-/** Keys of the handle come before those of commands; arrows turn the view when it has the focus. */
-function keyDown(event: KeyboardEvent): void {
-  const held = store.workMode.peek() === 'shape' && store.handleCenter.peek() !== null;
-  if (held && event.key === 'Escape') {
-    if (typed.peek() !== '') endTyping();
-    else cancelHandle();
-  } else if (held && event.key === 'Enter') {
-    if (typed.peek() !== '') endTyping();
-    else acceptHandle();
-  } else if (!(held && shapeKey(event)) && !turnByKey(event)) {
-    return;
-  }
-  event.preventDefault();
-  event.stopPropagation();
-}
-
-const kKeyStep = 24;
-
-function turnByKey(event: KeyboardEvent): boolean {
-  const steps: Record<string, [number, number]> = {
-    ArrowLeft: [kKeyStep, 0],
-    ArrowRight: [-kKeyStep, 0],
-    ArrowUp: [0, kKeyStep],
-    ArrowDown: [0, -kKeyStep],
-  };
-  const step = steps[event.key];
-  if (!step || event.ctrlKey || event.metaKey || event.altKey) return false;
-  turnView(step[0], step[1], event.shiftKey);
-  return true;
 }

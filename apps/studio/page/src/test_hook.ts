@@ -1,0 +1,117 @@
+// window.lissomTest: what end-to-end tests ask the page. It only reads, but for the camera, which tests set so that their
+// pictures are the same every time.
+
+import type { Camera } from './core/camera';
+import { waitingRequests } from './core/connection';
+import { clearLatencies, latencies, type LatencyKind } from './core/latency';
+import * as store from './core/store';
+import { cameraMoves, setCamera } from './view/camera_motion';
+import { Projector } from './core/camera';
+import { toPixel } from './core/plan_camera';
+import { kNoNode } from './core/protocol';
+import { row3 } from './core/vec';
+
+function counts() {
+  const topology = store.topology.peek();
+  const plan = store.plan.peek();
+  return {
+    points: plan?.points.length ?? 0,
+    rods: plan?.rods.length ?? 0,
+    nodes: (topology?.plan_places.length ?? 0) / 2,
+    triangles: (topology?.triangles.length ?? 0) / 3,
+    steps: store.history.peek()?.steps.length ?? 0,
+    at: store.history.peek()?.at ?? 0,
+    warnings: store.warnings.peek().length,
+    modes: store.modes.peek()?.modes.length ?? 0,
+    branches: store.branches.peek()?.branches.length ?? 0,
+  };
+}
+
+function selection() {
+  const { points, rods, nodes } = store.selection.peek();
+  return { points: [...points], rods: [...rods], nodes: [...nodes] };
+}
+
+function busy(): string {
+  if (store.connection.peek() !== 'open') return `connection ${store.connection.peek()}`;
+  if (waitingRequests() > 0) return `${waitingRequests()} requests without an answer`;
+  if (store.dragging.peek() !== 0) return 'a drag';
+  const job = Object.values(store.jobs.peek()).find((j) => j.state === 'running');
+  if (job) return `job ${job.job}`;
+  if (cameraMoves()) return 'the camera moves';
+  const { running, shape, plan, topology } = store;
+  if (!shape.peek()) return 'no shape';
+  const behind = (shape.peek()?.plan_revision ?? 0) < (plan.peek()?.revision ?? 0) || shape.peek()?.topology !== topology.peek()?.topology;
+  if (running.peek() && (behind || store.verdict.peek() === null)) return 'the shape is behind the plan';
+  return '';
+}
+
+/** Resolves when nothing is under way any more; rejects with what still was. */
+async function whenIdle(milliseconds = 20000): Promise<void> {
+  const end = performance.now() + milliseconds;
+  let quiet = 0;
+  for (;;) {
+    const what = busy();
+    // Twice in a row: an answer and the shape that follows it are different messages.
+    quiet = what === '' ? quiet + 1 : 0;
+    if (quiet >= 3) return;
+    if (performance.now() > end) throw new Error(`still under way: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 40));
+  }
+}
+
+/** Where a control point is on the page, CSS pixels: for the pointer of tests. */
+function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | null {
+  const index = store.pointIndex.peek().get(point);
+  const plan = store.plan.peek();
+  const element = document.querySelector(where === 'plan' ? '.plan-view canvas' : '.viewport canvas');
+  if (index === undefined || !plan || !element) return null;
+  const box = element.getBoundingClientRect();
+  if (where === 'plan') {
+    const [x, y] = toPixel(store.planCamera.peek(), box, plan.points[index].at_mm);
+    return [box.left + x, box.top + y];
+  }
+  const node = store.topology.peek()?.point_nodes[index] ?? kNoNode;
+  const shape = store.shape.peek();
+  if (node === kNoNode || !shape) return null;
+  const at = new Projector(store.camera.peek(), store.viewSize.peek()).point(row3(shape.positions, node));
+  return at && [box.left + at[0], box.top + at[1]];
+}
+
+export interface LissomTest {
+  counts: typeof counts;
+  selection: typeof selection;
+  camera: () => Camera;
+  setCamera: (camera: Camera) => void;
+  verdict: () => unknown;
+  plan: () => unknown;
+  history: () => unknown;
+  fault: () => unknown;
+  jobs: () => unknown;
+  renderer: () => { name: string; software: boolean };
+  latencies: () => Readonly<Record<LatencyKind, readonly number[]>>;
+  clearLatencies: () => void;
+  busy: () => string;
+  whenIdle: typeof whenIdle;
+  pixelOf: typeof pixelOf;
+}
+
+export function installTestHook(target: { lissomTest?: LissomTest }): void {
+  target.lissomTest = {
+    counts,
+    selection,
+    camera: () => store.camera.peek(),
+    setCamera,
+    verdict: () => store.verdict.peek(),
+    plan: () => store.plan.peek(),
+    history: () => store.history.peek(),
+    fault: () => store.fault.peek(),
+    jobs: () => store.jobs.peek(),
+    renderer: () => ({ name: store.rendererName.peek(), software: store.softwareRenderer.peek() }),
+    latencies,
+    clearLatencies,
+    busy,
+    whenIdle,
+    pixelOf,
+  };
+}

@@ -1,0 +1,124 @@
+// Draws what lies over the plan: the sketch of the active tool, box and lasso, rulers in mm.
+
+import { css } from '../core/colours';
+import type { Vec2 } from '../core/protocol';
+import { marks, niceStep } from '../core/scale_bar';
+import { rgba, trace } from './plan_paint';
+import type { PlanScene } from './plan_scene';
+
+type Pen = CanvasRenderingContext2D;
+
+export const kRuler = 20;
+
+export function paintOver(pen: Pen, scene: PlanScene): void {
+  paintSketch(pen, scene);
+  paintMarquee(pen, scene);
+  paintRulers(pen, scene);
+}
+
+function paintSketch(pen: Pen, { sketch, palette, pixel }: PlanScene): void {
+  if (sketch.guide) {
+    pen.setLineDash([2, 4]);
+    pen.lineWidth = 1;
+    pen.strokeStyle = css(palette.pin);
+    trace(pen, sketch.guide, pixel);
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+  for (const { line, closed, faint } of sketch.lines) {
+    trace(pen, line, pixel, closed);
+    pen.lineWidth = faint ? 1.5 : 2.5;
+    pen.strokeStyle = rgba(palette.select, faint ? 0.6 : 1);
+    pen.setLineDash(faint ? [5, 4] : []);
+    pen.stroke();
+  }
+  pen.setLineDash([]);
+  for (const at of sketch.points) dot(pen, pixel(at), 4, css(palette.select));
+  if (sketch.cursor) {
+    const [x, y] = pixel(sketch.cursor);
+    pen.beginPath();
+    pen.arc(x, y, 6, 0, 2 * Math.PI);
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = css(palette.select);
+    pen.stroke();
+  }
+  pen.font = '600 12px system-ui, sans-serif';
+  for (const { at, text } of sketch.texts) halo(pen, text, pixel(at), css(palette.ink), css(palette.ground));
+}
+
+function dot(pen: Pen, [x, y]: Vec2, radius: number, fill: string): void {
+  pen.beginPath();
+  pen.arc(x, y, radius, 0, 2 * Math.PI);
+  pen.fillStyle = fill;
+  pen.fill();
+}
+
+function halo(pen: Pen, text: string, [x, y]: Vec2, ink: string, ground: string): void {
+  pen.textAlign = 'left';
+  pen.textBaseline = 'alphabetic';
+  pen.lineWidth = 4;
+  pen.strokeStyle = ground;
+  pen.strokeText(text, x + 12, y - 10);
+  pen.fillStyle = ink;
+  pen.fillText(text, x + 12, y - 10);
+}
+
+function paintMarquee(pen: Pen, { marquee, palette, pixel }: PlanScene): void {
+  if (!marquee) return;
+  trace(pen, marquee.corners, pixel, true);
+  pen.lineWidth = 1;
+  pen.setLineDash(marquee.touching ? [5, 4] : []);
+  pen.fillStyle = rgba(palette.pin, 0.08);
+  pen.strokeStyle = css(palette.pin);
+  pen.fill();
+  pen.stroke();
+  pen.setLineDash([]);
+}
+
+function paintRulers(pen: Pen, { camera, size, palette, sketch, pixel }: PlanScene): void {
+  const step = niceStep(8 / camera.pixels_per_mm);
+  const { center_mm: c, pixels_per_mm: s } = camera;
+  pen.fillStyle = rgba(palette.ground, 0.92);
+  pen.fillRect(0, 0, size.width, kRuler);
+  pen.fillRect(0, 0, kRuler, size.height);
+  pen.strokeStyle = rgba(palette.inkSoft, 0.45);
+  pen.lineWidth = 1;
+  pen.beginPath();
+  pen.moveTo(kRuler + 0.5, size.height);
+  pen.lineTo(kRuler + 0.5, kRuler + 0.5);
+  pen.lineTo(size.width, kRuler + 0.5);
+  pen.font = '10px system-ui, sans-serif';
+  pen.fillStyle = css(palette.inkSoft);
+  pen.textBaseline = 'top';
+  pen.textAlign = 'left';
+  for (const { at, label } of marks(c[0] - size.width / 2 / s, c[0] + size.width / 2 / s, step)) {
+    const x = Math.round(size.width / 2 + (at - c[0]) * s) + 0.5;
+    if (x < kRuler) continue;
+    pen.moveTo(x, kRuler);
+    pen.lineTo(x, label !== '' ? 8 : 15);
+    if (label !== '' && x > kRuler + 24) pen.fillText(label, x + 2, 4);
+  }
+  for (const { at, label } of marks(c[1] - size.height / 2 / s, c[1] + size.height / 2 / s, step)) {
+    const y = Math.round(size.height / 2 - (at - c[1]) * s) + 0.5;
+    if (y < kRuler) continue;
+    pen.moveTo(kRuler, y);
+    pen.lineTo(label !== '' ? 8 : 15, y);
+    if (label === '') continue;
+    pen.save();
+    pen.translate(4, y - 2);
+    pen.rotate(-Math.PI / 2);
+    pen.fillText(label, 0, 0);
+    pen.restore();
+  }
+  pen.stroke();
+  pen.fillText('mm', 3, 5);
+  if (!sketch.cursor) return;
+  const [x, y] = pixel(sketch.cursor);
+  pen.strokeStyle = css(palette.select);
+  pen.beginPath();
+  pen.moveTo(x, 0);
+  pen.lineTo(x, kRuler);
+  pen.moveTo(0, y);
+  pen.lineTo(kRuler, y);
+  pen.stroke();
+}
