@@ -1,6 +1,7 @@
 // Buttons: plain ones with a name, and those of the command list.
 
 import type { ComponentChildren, TargetedMouseEvent } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
 import { command, isEnabled, keysOf, run } from '../../core/commands';
 import { Icon, isIconName, type IconName } from './icon';
 import { ariaKeys, keyText } from '../logic/keys';
@@ -22,8 +23,14 @@ export function Button(props: ButtonProps) {
   const { icon, label, children, pressed, disabled, onClick, keys = [] } = props;
   const bare = children === undefined;
   const shown = keys[0] ? `${label ?? ''} (${keyText(keys[0])})` : label;
+  const element = useRef<HTMLButtonElement>(null);
+  // A disabled button that keeps the focus would swallow every key.
+  useEffect(() => {
+    if (disabled && document.activeElement === element.current) element.current?.blur();
+  }, [disabled]);
   return (
     <button
+      ref={element}
       type="button"
       class={`button ${bare ? 'icon-only plain' : ''} ${props.class ?? ''}`}
       aria-label={bare ? label : undefined}
