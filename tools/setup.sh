@@ -8,12 +8,15 @@ set -euo pipefail
 build_packages=(
   build-essential g++ cmake ninja-build pkg-config git python3
   libeigen3-dev nlohmann-json3-dev libfmt-dev libcli11-dev libcairo2-dev
-  libsuitesparse-dev libmetis-dev libcgal-dev libboost-dev libpugixml-dev libzip-dev
+  libsuitesparse-dev libmetis-dev libcgal-dev libboost-dev libpugixml-dev libzip-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
 )
 test_packages=(python3-numpy python3-jsonschema python3-meshio admesh)
 ci_packages=(clang-format-14 clang-tidy-14)
 bench_packages=(coinor-libipopt-dev libalglib-dev)
+# What may come from elsewhere than Debian is asked for by its program: Node for the studio's page, a browser for its tests.
+command -v npm >/dev/null || build_packages+=(nodejs npm)
+command -v chromium >/dev/null || test_packages+=(chromium)
 
 case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;

@@ -20,11 +20,11 @@ namespace lissom::cli {
 namespace {
 
 /// Set by Ctrl-C. Signals leave no other way than a variable of the program.
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupt_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void on_interrupt(int signal) {
-  interrupted.store(true, std::memory_order_relaxed);
+  interrupt_seen.store(true, std::memory_order_relaxed);
   std::signal(signal, SIG_DFL);  // the next one ends the program
 }
 
@@ -53,14 +53,20 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--progress", options.progress, "Show progress on standard error even when that is no terminal");
 }
 
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+bool interrupted() { return interrupt_seen.load(std::memory_order_relaxed); }
+
 Run::Run(const RunOptions& options) : terminal_(standard_error_is_terminal()) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   threads_ = std::make_unique<ThreadPool>(options.threads > 0 ? options.threads : cores);
   context_.threads = threads_.get();
-  context_.cancel = &interrupted;
+  context_.cancel = &interrupt_seen;
   if (options.progress || terminal_) context_.progress = [this](const Progress& p) { show(p); };
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  catch_interrupts();
 }
 
 Run::~Run() { clear_line(); }

@@ -18,6 +18,10 @@ struct RunOptions {
 };
 void add_run_options(CLI::App& command, RunOptions& options);
 
+/// From now on Ctrl-C, or a request to end, is noted once; the next one ends the program at once.
+void catch_interrupts();
+bool interrupted();
+
 /// Threads, progress on standard error and Ctrl-C for one run. The first Ctrl-C asks the work to stop and keep what it
 /// has; the second ends the program at once.
 class Run {
