@@ -81,6 +81,38 @@ File create_beside(const fs::path& path, fs::path& temporary) {
   return nullptr;
 }
 
+constexpr const char* kInside = "put it into the folder of the document and name it from there, such as \"roof.obj\"";
+
+Error refusal(std::string message, std::string hint = {}) {
+  return {ErrorCode::kFile, {}, std::move(message), std::move(hint)};
+}
+
+/// A name below a folder that is one by its letters; links have not been followed yet.
+struct Below {
+  fs::path base;      ///< the folder, canonical
+  fs::path relative;  ///< without ".."
+  std::string quoted;
+};
+
+Result<Below> check_name(const fs::path& folder, const std::string& name) {
+  std::string quoted = '"' + name + '"';
+  bool odd = name.empty();
+  for (const char c : name) odd = odd || c == '\\' || c == ':' || static_cast<unsigned char>(c) < ' ';
+  if (odd) return refusal(quoted + " is not a portable path", "use letters, digits and forward slashes");
+  fs::path relative(std::u8string(name.begin(), name.end()));
+  bool outside = relative.has_root_path();
+  for (const fs::path& step : relative) outside = outside || step == "..";
+  if (outside) return refusal(quoted + " leads out of the folder of the document", kInside);
+  std::error_code code;
+  fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, code);
+  if (code) return refusal("the folder \"" + folder.string() + "\" cannot be entered: " + code.message());
+  return Below{std::move(base), std::move(relative), std::move(quoted)};
+}
+
+bool is_below(const fs::path& base, const fs::path& path) {
+  return std::mismatch(base.begin(), base.end(), path.begin(), path.end()).first == base.end();
+}
+
 }  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::uintmax_t limit) {
@@ -107,34 +139,61 @@ Result<std::string> read_file(const fs::path& path, std::uintmax_t limit) {
 }
 
 Result<std::string> read_file_below(const fs::path& folder, const std::string& name, std::uintmax_t limit) {
-  const auto refuse = [&](std::string message, std::string hint) {
-    return Error{ErrorCode::kFile, {}, std::move(message), std::move(hint)};
-  };
-  const std::string quoted = '"' + name + '"';
-  constexpr const char* kInside = "put it into the folder of the document and name it from there, such as \"roof.obj\"";
-  bool odd = name.empty();
-  for (const char c : name) odd = odd || c == '\\' || c == ':' || static_cast<unsigned char>(c) < ' ';
-  if (odd) return refuse(quoted + " is not a portable path", "use letters, digits and forward slashes");
-  const fs::path relative(std::u8string(name.begin(), name.end()));
-  bool outside = relative.has_root_path();
-  for (const fs::path& step : relative) outside = outside || step == "..";
-  if (outside) return refuse(quoted + " leads out of the folder of the document", kInside);
+  const Result<Below> below = check_name(folder, name);
+  if (!below) return below.error();
+  const auto& [base, relative, quoted] = below.value();
   std::error_code code;
-  const fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, code);
-  if (code) return refuse("the folder \"" + folder.string() + "\" cannot be entered: " + code.message(), {});
   const fs::path path = fs::canonical(base / relative, code);
   if (code == std::errc::no_such_file_or_directory || code == std::errc::not_a_directory) {
-    return refuse("there is no file " + quoted,
-                  "it was looked for in " + (folder.empty() ? std::string("the current folder") : folder.string()));
+    return refusal("there is no file " + quoted,
+                   "it was looked for in " + (folder.empty() ? std::string("the current folder") : folder.string()));
   }
-  if (code) return refuse(quoted + " cannot be reached: " + code.message(), {});
-  const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());
-  if (in_base != base.end()) return refuse(quoted + " is a link that leads out of the folder of the document", kInside);
-  if (fs::is_directory(path, code)) return refuse(quoted + " is a folder, not a file", "name a file inside it");
-  if (!fs::is_regular_file(path, code)) return refuse(quoted + " is not an ordinary file", kInside);
+  if (code) return refusal(quoted + " cannot be reached: " + code.message());
+  if (!is_below(base, path))
+    return refusal(quoted + " is a link that leads out of the folder of the document", kInside);
+  if (fs::is_directory(path, code)) return refusal(quoted + " is a folder, not a file", "name a file inside it");
+  if (!fs::is_regular_file(path, code)) return refusal(quoted + " is not an ordinary file", kInside);
   Result<std::string> bytes = read_file(path, limit);
   if (bytes) return bytes;
-  return refuse(quoted + ": " + bytes.error().message, bytes.error().hint);
+  return refusal(quoted + ": " + bytes.error().message, bytes.error().hint);
+}
+
+Result<fs::path> path_below(const fs::path& folder, const std::string& name) {
+  const Result<Below> below = check_name(folder, name);
+  if (!below) return below.error();
+  const auto& [base, relative, quoted] = below.value();
+  fs::path path = base;
+  std::error_code code;
+  for (const fs::path& step : relative) {
+    if (step.empty() || step == ".") continue;
+    if (path != base && fs::exists(path, code) && !fs::is_directory(path, code)) {
+      return refusal(quoted + " goes on behind a file", kInside);
+    }
+    path /= step;
+    if (!fs::is_symlink(fs::symlink_status(path, code))) continue;
+    path = fs::canonical(path, code);
+    if (code) return refusal(quoted + " is a link that leads nowhere: " + code.message(), kInside);
+    if (!is_below(base, path))
+      return refusal(quoted + " is a link that leads out of the folder of the document", kInside);
+  }
+  if (path == base || fs::is_directory(path, code)) {
+    return refusal(quoted + " is a folder, not a file", "name a file inside it");
+  }
+  if (fs::exists(path, code) && !fs::is_regular_file(path, code)) {
+    return refusal(quoted + " is not an ordinary file", kInside);
+  }
+  return path;
+}
+
+Status write_file_below(const fs::path& folder, const std::string& name, std::string_view bytes) {
+  const Result<fs::path> path = path_below(folder, name);
+  if (!path) return path.error();
+  std::error_code code;
+  fs::create_directories(path.value().parent_path(), code);
+  if (code) return refusal("the folder of \"" + name + "\" cannot be made: " + code.message());
+  const Status status = write_file(path.value(), bytes);
+  if (status) return status;
+  return refusal('"' + name + "\": " + status.error().message, status.error().hint);
 }
 
 Status write_file(const fs::path& path, std::string_view bytes) {

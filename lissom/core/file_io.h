@@ -21,6 +21,13 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 Result<std::string> read_file_below(const std::filesystem::path& folder, const std::string& name,
                                     std::uintmax_t limit = kLargestFile);
 
+/// Where a file of that name below a folder is, or would be: the rules of read_file_below, for every link on the way, whether
+/// or not it is there.
+Result<std::filesystem::path> path_below(const std::filesystem::path& folder, const std::string& name);
+
+/// Replaces a file below a folder, as write_file does. Makes the folders on the way.
+Status write_file_below(const std::filesystem::path& folder, const std::string& name, std::string_view bytes);
+
 /// Replaces `path` by `bytes`: a temporary file in the same folder, flushed to the disk, then renamed. Keeps the permissions
 /// of a file that it replaces and follows symbolic links; devices and pipes are written directly.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -41,7 +41,7 @@ class History {
   const Step& step(int number) const;  ///< from 1 to size()
 
   /// The document at hand, and its canonical text (write_document).
-  std::shared_ptr<const Model> model() const;
+  const std::shared_ptr<const Model>& model() const;
   const std::string& text() const;
 
   /// A new step after the present one; what was undone is cut off. False when the document is the same: then nothing is added.
@@ -57,23 +57,24 @@ class History {
 
   /// The file `<name>.history.json`.
   std::string write() const;
-  /// Reads such a file. `document` is the text of the document that it lies beside: where it is that of a step, the history
-  /// stands there; else it was changed by another program and becomes one more step, "Changed elsewhere", at `seconds`.
-  /// Files that documents name are looked for in `folder`.
-  static Result<History> read(std::string_view json, const std::string& document, double seconds,
-                              const std::filesystem::path& folder, HistoryLimits limits = {});
+  /// Reads such a file; it stands at the step where it was written. Files that documents name are looked for in `folder`.
+  static Result<History> read(std::string_view json, const std::filesystem::path& folder, HistoryLimits limits = {});
+  /// Stands at the newest step that has this document. Where none has, another program has changed it: then it becomes one
+  /// more step after all others, "Changed elsewhere", and the answer is false.
+  bool meet(Model document, double seconds);
 
  private:
   struct Entry {
     Step step;
     std::shared_ptr<const std::string> text;
     std::shared_ptr<const Model> model;  ///< null until it is needed, after reading
-    std::string patch;                   ///< from the entry before
+    std::string patch;                   ///< RFC 6902, from the lines of the entry before; of the first: empty
   };
 
   History() = default;
+  /// Makes the document of a step, where it is known as a text only.
   Status load(int step);
-  void append(Step step, std::shared_ptr<const std::string> text, std::shared_ptr<const Model> model);
+  void append(Entry entry);
   void forget_oldest();
 
   std::vector<Entry> steps_;  ///< the first is the document as opened

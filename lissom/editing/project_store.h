@@ -70,6 +70,10 @@ std::filesystem::path user_state_folder();
 /// s since 1970.
 double seconds_now();
 
+/// Of files that write() makes.
+inline constexpr std::string_view kExportEndings[] = {".svg", ".dxf", ".stl",  ".3mf", ".obj", ".ply", ".png", ".webm",
+                                                      ".glb", ".csv", ".html", ".vtp", ".vtu", ".pvd", ".pdf", ".txt"};
+
 class ProjectStore {
  public:
   /// The folder has to exist. What `designs` point to has to outlive the store.
@@ -97,6 +101,8 @@ class ProjectStore {
   };
   /// Writes the side file: document, history, and what else the caller needs to go on (`state`). Nothing when all is saved.
   Status autosave(const OpenProject& project, const std::string& state = {}, When when = When::kDue);
+  /// Leaves the side file of a project that is not saved behind, to be found again, when the session turns to another one.
+  Status leave(const OpenProject& project, const std::string& state = {});
   /// The newest side file that no living session writes.
   std::optional<Recovery> find_recovery() const;
   Result<Recovered> recover(const Recovery& found);
@@ -112,14 +118,19 @@ class ProjectStore {
 
   /// Bytes of any file of the folder.
   Result<std::string> read(const std::string& file) const;
-  /// Writes any file of the folder but documents and what belongs to them, for exports and pictures. Makes folders.
+  /// Writes an export or a picture (kExportEndings) into the folder. Makes folders.
   Status write(const std::string& file, std::string_view bytes) const;
 
  private:
   ProjectStore(std::filesystem::path folder, std::span<const DesignText> designs, ProjectStoreOptions options)
       : folder_(std::move(folder)), designs_(designs), options_(std::move(options)) {}
 
-  void remember(const std::string& file) const;
+  Result<Model> read_model(const std::string& file, const std::string& text) const;
+  /// Moves what a file holds to a name that is free.
+  Status keep_other(const std::string& file, const std::string& word) const;
+  Status check_target(const OpenProject& project, const std::string& target, Replace replace) const;
+  Status write_side_file(const OpenProject& project, const std::string& state, const std::string& owner);
+  std::string free_side_name(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::span<const DesignText> designs_;

@@ -1,0 +1,20 @@
+# The designs of scenes/data/fabric as one header, so that they travel inside programs: scenes/data/design_texts.h.in.
+
+# Writes the header to `output`; the butterfly, the mask and the car come first.
+function(lissom_design_texts output)
+  file(GLOB files RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/scenes/data/fabric/*.lissom")
+  list(SORT files)
+  foreach(name IN ITEMS car mask butterfly)
+    list(REMOVE_ITEM files scenes/data/fabric/${name}.lissom)
+    list(PREPEND files scenes/data/fabric/${name}.lissom)
+  endforeach()
+  set(LISSOM_DESIGN_TEXTS "")
+  foreach(path IN LISTS files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    file(READ "${PROJECT_SOURCE_DIR}/${path}" text)
+    get_filename_component(name "${path}" NAME_WE)
+    string(JSON title GET "${text}" title)
+    string(APPEND LISSOM_DESIGN_TEXTS "    {\"${name}\", \"${title}\", R\"lissom(${text})lissom\"},\n")
+  endforeach()
+  configure_file("${PROJECT_SOURCE_DIR}/scenes/data/design_texts.h.in" "${output}" @ONLY)
+endfunction()
