@@ -96,7 +96,8 @@ Status LiveDesign::take(const Model& model, std::shared_ptr<const PlanMesh> mesh
   if (!system) return system.error();
   if (equilibrium.q.size() != system.value().layout.size() ||
       static_cast<int>(equilibrium.edges.size()) != system.value().edge_count()) {
-    return Error{ErrorCode::kConflict, place(), "the kept shape has another mesh than its plan", "release the plan anew"};
+    return Error{ErrorCode::kConflict, place(), "the kept shape has another mesh than its plan",
+                 "release the plan anew"};
   }
   if (Status s = furnish(model, std::move(mesh), std::move(expanded).value(), std::move(system).value()); !s) return s;
   equilibrium_ = solver_->settle(equilibrium, equilibrium.load_factor);

@@ -6,9 +6,6 @@
 
 namespace lissom {
 
-namespace {
-
-/// What a node counts in means over a part: all alike where rods, triangles and tetrahedra are alike.
 std::vector<double> node_weights(const System& system) {
   std::vector<double> weight(system.structure.nodes.size());
   const double length = system.rest.mean_edge_length;
@@ -18,8 +15,6 @@ std::vector<double> node_weights(const System& system) {
   }
   return weight;
 }
-
-}  // namespace
 
 RigidDrift::RigidDrift(const StaticProblem& problem) : system_(*problem.system), weight_(node_weights(system_)) {
   const Structure& structure = system_.structure;
@@ -70,10 +65,14 @@ void RigidDrift::remove(const State& state, VecX& dq) const {
   }
 }
 
+bool can_be_laid_down(const StaticProblem& problem) {
+  // One motion for the whole structure: parts that hold together by nothing else keep their places.
+  return problem.system->structure.components == 1 && !problem.supports.free_parts().empty();
+}
+
 void lay_down(const StaticProblem& problem, State& state) {
   const System& system = *problem.system;
-  // One motion for the whole structure: parts that hold together by nothing else keep their places.
-  if (system.structure.components != 1 || problem.supports.free_parts().empty()) return;
+  if (!can_be_laid_down(problem)) return;
   const std::vector<double> weight = node_weights(system);
   double total = 0;
   Vec3 drawn = Vec3::Zero(), now = Vec3::Zero();

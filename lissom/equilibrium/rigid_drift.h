@@ -31,7 +31,12 @@ class RigidDrift {
   std::vector<bool> can_move_;
 };
 
+/// What each node counts in means over a structure: all alike where rods, triangles and tetrahedra are alike.
+std::vector<double> node_weights(const System& system);
+
 /// Lays the free parts of a state where they are closest to the drawn shape: of all places the one that people expect.
 void lay_down(const StaticProblem& problem, State& state);
+/// Whether it does so: the structure is in one piece, and nothing holds it.
+bool can_be_laid_down(const StaticProblem& problem);
 
 }  // namespace lissom

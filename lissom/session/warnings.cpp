@@ -55,7 +55,8 @@ void warn_of_slack(const Shape& shape, std::vector<Warning>& list) {
                     place_text(middle)),
         stretches[slackest].smallest,
         "1",
-        {}};
+        {},
+        s.triangles[slackest].node[0]};
     const Vec2 present = Vec2::Ones() + shape.stretch_share * (membrane.pre_stretch - Vec2::Ones());
     const std::optional<SlackRemedy> remedy = slack_remedy(shape.system.rest.triangles[slackest], present,
                                                            stretches[slackest].smallest, shape.limits.wanted_stretch);
@@ -129,7 +130,13 @@ void warn_of_compression(const Shape& shape, std::vector<Warning>& list) {
     if (worst < 0) continue;
     const Vec3 at = (shape.state.position(s.edges[worst].node0) + shape.state.position(s.edges[worst].node1)) / 2;
     const int ghost = boundary_rod_next_to(shape, r, at, boundary);
-    Warning warning{"compressed rod", fmt::format("{}, {}", shape.rod_name(r), place_text(at)), most, "1", {}};
+    Warning warning{"compressed rod",
+                    fmt::format("{}, {}", shape.rod_name(r), place_text(at)),
+                    most,
+                    "1",
+                    {},
+                    s.edges[worst].node0,
+                    ghost >= 0 ? s.rods[ghost].name : std::string()};
     const std::string amount = fmt::format("it is shortened by {:.2g} %", 100 * most);
     warning.remedy = ghost == r ? amount + "; make it a ghost, so that the edge of the fabric is free there"
                      : ghost >= 0
@@ -164,7 +171,8 @@ void warn_of_turns(const Shape& shape, std::vector<Warning>& list) {
          fmt::format("it turns by {:.3g} degrees from edge to edge, so that its bending is {}; use about {} "
                      "edges, shorter edges, or a smaller largest turn of the plan",
                      kDegrees * angle, angle > shape.limits.strong_turn ? "clearly wrong" : "some percent off",
-                     static_cast<int>(std::ceil(edges * angle / (shape.limits.turn / 2))))});
+                     static_cast<int>(std::ceil(edges * angle / (shape.limits.turn / 2)))),
+         node});
   }
   std::stable_sort(found.begin(), found.end(), [](const Warning& a, const Warning& b) { return a.value > b.value; });
   list.insert(list.end(), found.begin(), found.end());
@@ -174,7 +182,7 @@ void warn_of_turns(const Shape& shape, std::vector<Warning>& list) {
 void warn_of_thin_rods(const Shape& shape, std::vector<Warning>& list) {
   const Structure& s = shape.structure();
   std::vector<char> thin(s.rods.size(), 0);
-  int thinnest = -1;
+  int thinnest = -1, node = -1;
   double least = shape.limits.diameter / 2 * (1 - 1e-9);
   for (const StructureEdge& edge : s.edges) {
     const double r = std::min(edge.section.r_n, edge.section.r_b);
@@ -182,6 +190,7 @@ void warn_of_thin_rods(const Shape& shape, std::vector<Warning>& list) {
     if (r >= least) continue;
     least = r;
     thinnest = edge.rod;
+    node = edge.node0;
   }
   if (thinnest < 0) return;
   const auto count = std::count(thin.begin(), thin.end(), 1);
@@ -192,7 +201,8 @@ void warn_of_thin_rods(const Shape& shape, std::vector<Warning>& list) {
        least, "m",
        fmt::format("{:.3g} mm thin, printers make {:.3g} mm and more; multiply all radii by {:.3g} and the "
                    "stiffness of the fabric by {:.3g}, which leaves the shape as it is",
-                   2e3 * least, 1e3 * shape.limits.diameter, factor, std::pow(factor, 4))});
+                   2e3 * least, 1e3 * shape.limits.diameter, factor, std::pow(factor, 4)),
+       node});
 }
 
 /// Tetrahedra that their load turned inside out, by solid.

@@ -31,6 +31,8 @@ struct Warning {
   double value = 0;    ///< SI, of what is named
   std::string unit;    ///< of the value; "1" for strains and stretches
   std::string remedy;  ///< a sentence
+  int node = -1;       ///< of the structure, where it is worst
+  std::string ghost = {};  ///< the rod that the remedy would make a ghost; empty: it would not
 };
 
 /// Of a structure with membranes or solids, most pressing first within each kind, at most one per membrane or rod and kind

@@ -1,0 +1,109 @@
+#pragma once
+/// The shape of the document at hand as all pages see it: it follows edits, is shown while it settles, and is judged when it
+/// has. Used by the engine's thread alone.
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lissom/core/context.h"
+#include "lissom/design/live_design.h"
+#include "lissom/design/rigid_gauge.h"
+#include "lissom/session/warnings.h"
+#include "lissom/studio/pages.h"
+#include "lissom/studio/shape_packs.h"
+
+namespace lissom {
+
+/// A shape to come back to. Snapshots of one mesh share it.
+struct ShapeSnapshot {
+  std::shared_ptr<const PlanMesh> mesh;
+  std::shared_ptr<const Model> mesh_of;  ///< from which the mesh was made
+  std::shared_ptr<const State> state;    ///< null: there is no shape
+};
+
+class LiveShape {
+ public:
+  /// What is to be shown along with a shape.
+  struct Occasion {
+    int drag = 0;      ///< of the request that is answered; 0: none
+    int revision = 0;  ///< of the plan
+  };
+
+  LiveShape(const Pages& pages, ThreadPool* threads);
+
+  /// Releases a plan from its flat state.
+  Status release(const Model& model, const Occasion& occasion);
+  /// Follows a changed plan. After an error the shape is that of before.
+  Status follow(const Model& model, const Occasion& occasion);
+  /// Stands at a shape that was kept, of this plan.
+  Status stand(const Model& model, const ShapeSnapshot& kept, const Occasion& occasion);
+  /// Shows a structure that is not edited, in a state of it.
+  void look_at(const Model& model, System system, State state);
+  /// There is nothing to show.
+  void forget();
+
+  /// Null when there is none, or one to look at only.
+  const LiveDesign* design() const { return design_.get(); }
+  ShapeSnapshot snapshot() const;
+  /// The equilibrium as it is shown: where pinned points stay.
+  const State& shown() const { return shown_; }
+  std::vector<PinnedNode> pins() const;
+  int topology() const { return topology_; }
+  const PlanParts& parts() const { return parts_; }
+
+  const ShownFields& fields() const { return fields_; }
+  void show_fields(const ShownFields& fields);
+
+  /// Everything that there is to know of the shape, to one page.
+  void greet(int page) const;
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+  /// Set by any thread: the solve at hand ends at once and keeps what it has.
+  void stop() { stopped_ = true; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  LiveDesign::Options options();
+  Context context();
+  void begin(const Occasion& occasion);
+  void watch(const LiveDesign& design, const State& state, double residual);
+  void announce(const LiveDesign& design);
+  void judge(const LiveDesign& design, std::string note, bool new_mesh);
+  Pack shape_of(const LiveDesign& design, const State& state, double residual, bool settled) const;
+  State pinned(const LiveDesign& design, const State& state) const;
+  /// Points that were pinned since stay where they are now; others are forgotten.
+  void renew_pins(const LiveDesign& design);
+  void show_settled();
+
+  const Pages& pages_;
+  ThreadPool* threads_;
+  std::atomic<bool> stopped_ = false;
+  std::unique_ptr<LiveDesign> design_;
+  const PlanMesh* announced_ = nullptr;
+  std::shared_ptr<const Model> mesh_of_;
+  int topology_ = 0;
+  PlanParts parts_;
+  std::map<std::string, Vec3> pinned_places_;  ///< m, by point
+  State shown_;
+  ShownFields fields_;
+  Occasion occasion_;
+  Clock::time_point began_, last_shown_;
+
+  struct Looked {
+    Model model;
+    System system;
+    State state;
+  };
+  std::unique_ptr<Looked> looked_;
+
+  Pack topology_pack_, shape_pack_;
+  nlohmann::json verdict_, measures_, warnings_event_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace lissom

@@ -1,0 +1,31 @@
+#pragma once
+/// What pages can ask for: one list, from which requests are answered (docs/studio/protocol.md, "Requests").
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+
+#include "lissom/core/result.h"
+#include "lissom/studio/ask.h"
+
+namespace lissom {
+
+class Desk;
+
+/// The fields of an answer besides `id` and `ok`.
+using Answer = Result<nlohmann::json>;
+
+struct RequestInfo {
+  std::string_view name;
+  /// `page`: who asks.
+  Answer (*answer)(Desk& desk, int page, Ask& ask);
+  /// Whether there has to be a document.
+  enum class Needs { kNothing, kDocument, kPlan } needs = Needs::kPlan;
+};
+
+std::span<const RequestInfo> requests();
+
+/// The whole answer to a request, `id` included. Never throws.
+nlohmann::json answer_request(Desk& desk, int page, const nlohmann::json& body);
+
+}  // namespace lissom
