@@ -1,6 +1,6 @@
 #include "scenes/design_texts.h"
 
-#include "design_texts_data.h"
+#include <design_texts.h>
 
 namespace lissom {
 

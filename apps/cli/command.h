@@ -29,6 +29,7 @@ void add_surface(CLI::App& app, Runner& chosen);
 void add_schema(CLI::App& app, Runner& chosen);
 void add_scenes(CLI::App& app, Runner& chosen);
 void add_examples(CLI::App& app, Runner& chosen);
+void add_studio(CLI::App& app, Runner& chosen);
 
 /// Exit codes besides those of verdicts.
 enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kFileTrouble = 4 };

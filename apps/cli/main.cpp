@@ -13,9 +13,9 @@ namespace lissom::cli {
 namespace {
 
 /// One entry per command, in the order of the help.
-constexpr AddCommand kCommands[] = {add_solve,   add_path,      add_modes,  add_branches, add_dynamics, add_optimize,
-                                    add_design,  add_calibrate, add_draw,   add_print,    add_verify,   add_fit_fabric,
-                                    add_convert, add_surface,   add_schema, add_scenes,   add_examples};
+constexpr AddCommand kCommands[] = {add_studio,     add_solve,   add_path,      add_modes,  add_branches, add_dynamics,
+                                    add_optimize,   add_design,  add_calibrate, add_draw,   add_print,    add_verify,
+                                    add_fit_fabric, add_convert, add_surface,   add_schema, add_scenes,   add_examples};
 
 /// A first word that is neither an option nor a command, with the command that may have been meant.
 Status check_command(const CLI::App& app, int argc, char** argv) {
