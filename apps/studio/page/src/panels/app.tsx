@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { AppDialogs } from './dialogs/dialogs';
+import { GuideBar } from './dialogs/guide_bar';
 import { RecoverBar } from './dialogs/recover_bar';
 import { watchWidth } from './layout_state';
 import { LeftSide } from './left/left_side';
@@ -19,6 +20,7 @@ export function App() {
         <div>
           <TopBar />
           <RecoverBar />
+          <GuideBar />
         </div>
         <div class="columns">
           <LeftSide />

@@ -17,6 +17,7 @@ import {
   type Quality,
   type Theme,
 } from '../core/store';
+import { beginGuide } from './dialogs/guide_bar';
 import { save } from './files';
 import { sideShown, toggleSide } from './layout_state';
 import { writeExport, writePicture } from './make/write';
@@ -137,6 +138,7 @@ const help: Command[] = [
     icon: 'search',
     run: () => (dialog.value = dialog.peek() === 'commands' ? '' : 'commands'),
   },
+  { id: 'help.guide', title: 'Show me around', group: 'Help', icon: 'info', help: 'Six things to try', run: beginGuide },
   { id: 'help.keys', title: 'Keys', group: 'Help', keys: ['?'], icon: 'keyboard', run: () => (dialog.value = 'keys') },
   {
     id: 'help.verdict',

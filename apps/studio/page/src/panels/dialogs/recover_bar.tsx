@@ -11,7 +11,7 @@ export function RecoverBar() {
   if (!found) return null;
   const when = Number(found.when);
   return (
-    <section class="recover" aria-label="Recovery">
+    <section class="notice warn" aria-label="Recovery">
       <Icon name="history" />
       <p>
         {found.name} has {counted(found.steps, 'step')} from a session that ended before saving

@@ -64,32 +64,45 @@ export function Legend(props: LegendProps) {
 function Scale({ field, low, high, bins }: { field: FieldInfo; low: number; high: number; bins: readonly number[] }) {
   const most = Math.max(...bins, 1);
   const wide = kWidth / bins.length;
+  const summary = `from ${short(low)} to ${short(high)}; values lie between ${short(field.low)} and ${short(field.high)}`;
+  return (
+    <>
+      <svg class="legend-scale legend-bars" viewBox={`-14 0 ${kWidth + 28} ${kBars}`} aria-hidden="true">
+        {bins.map((count, i) => {
+          const tall = (Math.sqrt(count / most) * (kBars - 2)) | 0;
+          return <rect key={i} x={i * wide + 0.5} y={kBars - tall} width={wide - 1} height={tall} />;
+        })}
+      </svg>
+      <Band field={field} low={low} high={high} parts={bins.length} label={summary} />
+    </>
+  );
+}
+
+interface BandProps {
+  field: FieldInfo;
+  low: number;
+  high: number;
+  parts: number;
+  label: string;
+}
+
+/** Colours and ticks. */
+function Band({ field, low, high, parts, label }: BandProps) {
+  const wide = kWidth / parts;
   const marks = ticks(low, high, 4);
   const digits = tickDigits(marks);
   const text = (value: number) => (digits > 4 ? short(value, 2) : fixed(value, digits));
-  const summary = `from ${short(low)} to ${short(high)}; values lie between ${short(field.low)} and ${short(field.high)}`;
   return (
-    <svg class="legend-scale" viewBox={`-14 0 ${kWidth + 28} ${kBars + kBand + 20}`} role="img" aria-label={summary}>
-      {bins.map((count, i) => {
-        const tall = (Math.sqrt(count / most) * (kBars - 2)) | 0;
-        return <rect key={i} class="legend-bar" x={i * wide + 0.5} y={kBars - tall} width={wide - 1} height={tall} />;
-      })}
-      {bins.map((_, i) => (
-        <rect
-          key={i}
-          x={i * wide}
-          y={kBars}
-          width={wide + 0.5}
-          height={kBand}
-          fill={css(colourAt(field.diverging, (i + 0.5) / bins.length))}
-        />
+    <svg class="legend-scale" viewBox={`-14 0 ${kWidth + 28} ${kBand + 20}`} role="img" aria-label={label}>
+      {Array.from({ length: parts }, (_, i) => (
+        <rect key={i} x={i * wide} width={wide + 0.5} height={kBand} fill={css(colourAt(field.diverging, (i + 0.5) / parts))} />
       ))}
       {marks.map((value) => {
         const x = ((value - low) / (high - low)) * kWidth;
         return (
           <g key={value}>
-            <line class="legend-tick" x1={x} x2={x} y1={kBars + kBand} y2={kBars + kBand + 3} />
-            <text class="legend-text" x={x} y={kBars + kBand + 15} text-anchor="middle">
+            <line class="legend-tick" x1={x} x2={x} y1={kBand} y2={kBand + 3} />
+            <text class="legend-text" x={x} y={kBand + 15} text-anchor="middle">
               {text(value)}
             </text>
           </g>

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { dragging, lookOnly, planDock, project, toolHint, type PlanDock } from '../../core/store';
 import { beganBefore } from '../layout_state';
-import { Button } from '../parts/button';
+import { Button, CommandButton } from '../parts/button';
 import type { IconName } from '../parts/icon';
 import { SnappingPopover } from './snapping_popover';
 
@@ -26,6 +26,7 @@ export function PlanBar() {
     <div class="view-bar">
       <h2>Plan</h2>
       <p class="hint soft">{hint()}</p>
+      {isNew() && <CommandButton id="help.guide" text="Show me around" />}
       <SnappingPopover />
       <div class="row" role="group" aria-label="Place of the plan">
         {docks.map(({ dock, icon, label }) => (
@@ -40,5 +41,10 @@ export function PlanBar() {
 function hint(): string {
   if (toolHint.value !== '') return toolHint.value;
   if (project.value?.kind === 'structure') return 'A structure to look at: it has no plan to draw in.';
-  return beganBefore.value || lookOnly.value ? '' : 'Drag a point of the plan.';
+  return isNew() ? 'Drag a point of the plan.' : '';
+}
+
+/** Nobody has dragged anything in this browser yet. */
+function isNew(): boolean {
+  return !beganBefore.value && !lookOnly.value;
 }
