@@ -33,11 +33,11 @@ const char* curve_word(PlanCurve curve) {
   return "spline";
 }
 
-/// The rod as it is drawn: its nodes, or finer where edges are long.
-Json line_json(const Plan& plan, const PlanRod& rod) {
+/// The rod as it is drawn; `fineness`: parts between neighbouring points where it is bent.
+Json line_json(const Plan& plan, const PlanRod& rod, int fineness) {
   Json line = Json::array();
   const RodCurve curve(plan, rod);
-  const int steps = rod.curve == PlanCurve::kStraight ? 1 : 16;
+  const int steps = rod.curve == PlanCurve::kStraight ? 1 : fineness;
   for (int piece = 0; piece < curve.pieces(); ++piece) {
     for (int k = piece == 0 ? 0 : 1; k <= steps; ++k) line.push_back(drawn_json(curve.point(piece, double(k) / steps)));
   }
@@ -65,7 +65,7 @@ Json rods_json(const Plan& plan) {
                     {"role", rod.role == PlanRole::kGhost ? "ghost" : "rod"},
                     {"closed", rod.closed},
                     {"length_mm", RodCurve(plan, rod).length() * 1e3},
-                    {"line_mm", line_json(plan, rod)}});
+                    {"line_mm", line_json(plan, rod, 16)}});
   }
   return list;
 }
@@ -108,6 +108,15 @@ nlohmann::json plan_to_json(const Model& model) {
           {"max_turn_deg", degrees_of(plan.max_turn)},
           {"fabric", fabric_json(plan.fabric)},
           {"constraints", constraints_json(model)}};
+}
+
+nlohmann::json plan_lines_json(const Model& model) {
+  Json lines = Json::array();
+  if (!model.plan) return lines;
+  for (const PlanRod& rod : model.plan->rods) {
+    if (rod.role != PlanRole::kGhost) lines.push_back(line_json(*model.plan, rod, 6));
+  }
+  return lines;
 }
 
 }  // namespace lissom

@@ -10,4 +10,7 @@ namespace lissom {
 /// The fields of the event `plan` but for `event` and `revision`, mm and degrees. The model has a plan.
 nlohmann::json plan_to_json(const Model& model);
 
+/// The rods as lines, for small drawings: [[[x, y], ...], ...], mm. Ghosts are left out. Empty for a model without a plan.
+nlohmann::json plan_lines_json(const Model& model);
+
 }  // namespace lissom

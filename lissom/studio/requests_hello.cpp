@@ -1,4 +1,5 @@
 #include "lissom/editing/edits_json.h"
+#include "lissom/editing/plan_json.h"
 #include "lissom/editing/templates.h"
 #include "lissom/model/material.h"
 #include "lissom/model/membrane.h"
@@ -27,7 +28,10 @@ Json fields_json() {
 Json templates_json() {
   Json list = Json::array();
   for (const Template& entry : templates()) {
-    list.push_back({{"name", entry.name}, {"title", entry.title}, {"sentence", entry.sentence}});
+    list.push_back({{"name", entry.name},
+                    {"title", entry.title},
+                    {"sentence", entry.sentence},
+                    {"lines_mm", plan_lines_json(entry.make())}});
   }
   return list;
 }

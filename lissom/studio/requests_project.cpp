@@ -1,3 +1,4 @@
+#include "lissom/editing/plan_json.h"
 #include "lissom/studio/desk.h"
 #include "lissom/studio/request_handlers.h"
 
@@ -35,7 +36,11 @@ Answer answer_files(Desk& desk, int page, Ask& ask) {
     files.push_back({{"name", file.name}, {"kind", file.kind}, {"bytes", file.bytes}, {"modified", file.modified}});
   }
   for (const ListedDesign& design : desk.store().designs()) {
-    designs.push_back({{"name", design.name}, {"title", design.title}, {"points", design.points}});
+    Result<OpenProject> project = desk.store().open_design(design.name);
+    designs.push_back({{"name", design.name},
+                       {"title", design.title},
+                       {"points", design.points},
+                       {"lines_mm", project ? plan_lines_json(*project.value().history.model()) : Json::array()}});
   }
   return Json{{"files", files}, {"recent", desk.store().recent()}, {"designs", designs}};
 }
