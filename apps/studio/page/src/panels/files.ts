@@ -3,11 +3,14 @@
 import { signal } from '@preact/signals';
 import { announce } from '../core/commands';
 import { send } from '../core/connection';
-import type { Answer, Request } from '../core/protocol';
-import { dialog, project } from '../core/store';
+import type { Answer, EngineFault, Request } from '../core/protocol';
+import { dialog, fault, project } from '../core/store';
 
 /** What waits for a word about unsaved changes; null: nothing. */
 export const leaving = signal<Request | null>(null);
+
+/** Why the last save would have lost another file; null: it would not. */
+export const saveRefusal = signal<EngineFault | null>(null);
 
 export function openFile(what: { file: string } | { design: string }): Promise<void> {
   return leaveFor({ do: 'open', ...what });
@@ -29,14 +32,22 @@ export async function leave(how: 'save' | 'drop'): Promise<void> {
   await go(waiting);
 }
 
-/** Writes the file; asks for a name where there is none yet. */
-export async function save(file?: string): Promise<Answer | null> {
+/** Writes the file; asks for a name where there is none yet, and what to do where another file would be lost. */
+export async function save(file?: string, replace = false): Promise<Answer | null> {
+  saveRefusal.value = null;
   if (!file && !project.peek()?.file) {
     dialog.value = 'save';
     return null;
   }
-  const answer = await send(file ? { do: 'save', file } : { do: 'save' });
-  if (answer.ok) announce(`Saved ${file ?? project.peek()?.file ?? ''}.`);
+  const answer = await send({ do: 'save', ...(file && { file }), ...(replace && { replace }) }, true);
+  if (answer.ok) {
+    announce(`Saved ${file ?? project.peek()?.file ?? ''}.`);
+  } else if (answer.error?.code === 'conflict') {
+    saveRefusal.value = answer.error;
+    dialog.value = 'save';
+  } else {
+    fault.value = answer.error ?? null;
+  }
   return answer;
 }
 

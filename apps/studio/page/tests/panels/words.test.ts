@@ -12,7 +12,7 @@ import { verdictLine } from '../../src/panels/logic/verdict_line';
 import { listText, sentence } from '../../src/panels/logic/words';
 import { plan, verdict } from './scene';
 
-const known = { connection: 'open', running: true, dragging: false } as const;
+const known = { connection: 'open', running: true, dragging: false, moving: false } as const;
 
 test('the verdict line is one true sentence', () => {
   const calm = verdictLine({ ...known, verdict: verdict() });
@@ -30,7 +30,7 @@ test('the verdict line is one true sentence', () => {
     text: 'No step lowers the energy. The last good shape is shown.',
   });
   // What is on its way has not gone wrong.
-  expect(verdictLine({ ...known, dragging: true, verdict: stalled }).tone).toBe('busy');
+  expect(verdictLine({ ...known, moving: true, verdict: verdict() }).tone).toBe('busy');
   expect(verdictLine({ ...known, connection: 'lost', verdict: verdict() }).tone).toBe('bad');
   expect(verdictLine({ ...known, verdict: null }).text).toBe('No shape yet.');
 });

@@ -2,7 +2,8 @@
 
 import { useState } from 'preact/hooks';
 import { dialog, hello, project } from '../../core/store';
-import { save } from '../files';
+import { save, saveRefusal } from '../files';
+import { sentence } from '../logic/words';
 import { documentName, fileStem } from '../logic/file_names';
 import { Button } from '../parts/button';
 import { Modal } from '../parts/modal';
@@ -10,11 +11,15 @@ import { Modal } from '../parts/modal';
 export function SaveDialog() {
   const now = project.value;
   const [name, setName] = useState(`${fileStem(now?.file || now?.name || 'design')}.lissom`);
-  const close = () => (dialog.value = '');
-  const take = async () => {
+  const refusal = saveRefusal.value;
+  const close = () => {
+    saveRefusal.value = null;
+    dialog.value = '';
+  };
+  const take = async (replace = false) => {
     const file = documentName(name);
     if (file === '') return;
-    const answer = await save(file);
+    const answer = await save(file, replace);
     if (answer?.ok) close();
   };
   return (
@@ -24,6 +29,7 @@ export function SaveDialog() {
       actions={
         <>
           <Button onClick={close}>Cancel</Button>
+          {refusal && <Button onClick={() => void take(true)}>Replace it</Button>}
           <Button class="primary" icon="save" disabled={name.trim() === ''} onClick={() => void take()}>
             Save
           </Button>
@@ -40,12 +46,20 @@ export function SaveDialog() {
           spellcheck={false}
           autofocus
           value={name}
-          onInput={(event) => setName(event.currentTarget.value)}
+          onInput={(event) => {
+            saveRefusal.value = null;
+            setName(event.currentTarget.value);
+          }}
           onKeyDown={(event) => {
             event.stopPropagation();
             if (event.key === 'Enter') void take();
           }}
         />
+        {refusal && (
+          <p class="note warn" role="alert">
+            {sentence(refusal.message)} {sentence(refusal.hint)}
+          </p>
+        )}
         <p class="small soft">Its history is kept beside it, so that undo goes on after the next start.</p>
       </div>
     </Modal>

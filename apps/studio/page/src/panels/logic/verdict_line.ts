@@ -21,24 +21,21 @@ export interface Known {
   /** Equilibrium follows edits. */
   running: boolean;
   dragging: boolean;
+  /** The shape on screen is on its way. */
+  moving: boolean;
 }
 
-export function verdictLine({ connection, verdict, running, dragging }: Known): VerdictLine {
+export function verdictLine({ connection, verdict, running, dragging, moving }: Known): VerdictLine {
   if (connection === 'lost') {
     return { tone: 'bad', text: 'The engine does not answer; the page tries again by itself. Your work is saved beside the file.', details: [] };
   }
   if (connection === 'connecting') return { tone: 'busy', text: 'Connecting to the engine.', details: [] };
+  // While the shape is on its way, nothing has ended and nothing is wrong.
+  if (moving) return { tone: 'busy', text: dragging ? 'Following the drag.' : 'Settling.', details: [] };
   if (!verdict) return { tone: 'calm', text: 'No shape yet.', details: [] };
   const settledCalmly = verdict.settled && verdict.name === 'stable';
   if (settledCalmly) return settled(verdict, running);
   if (verdict.settled) return { tone: 'warn', text: sentence(verdict.sentence), details: facts(verdict) };
-  // While the shape is on its way, nothing has ended and nothing is wrong.
-  if (dragging || verdict.name === 'settling') {
-    return { tone: 'busy', text: 'Settling.', details: [`residual ${short(verdict.residual_n, 2)} N`] };
-  }
-  if (!running && verdict.name === 'waiting') {
-    return { tone: 'calm', text: 'Waiting: the shape does not follow edits until you press Space.', details: [] };
-  }
   const kept = verdict.shown === 'last good' ? ' The last good shape is shown.' : '';
   return { tone: 'bad', text: sentence(verdict.sentence) + kept, details: facts(verdict) };
 }

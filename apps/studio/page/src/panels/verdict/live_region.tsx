@@ -3,8 +3,8 @@
 import { effect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { announce } from '../../core/commands';
-import { announcement, connection, dragging, running, verdict } from '../../core/store';
-import { verdictLine } from '../logic/verdict_line';
+import { announcement, verdict } from '../../core/store';
+import { presentLine } from './present_line';
 
 const kQuiet = 700;
 
@@ -14,7 +14,7 @@ export function LiveRegion() {
     let timer: ReturnType<typeof setTimeout> | undefined;
     const end = effect(() => {
       const now = verdict.value;
-      const line = verdictLine({ connection: connection.value, verdict: now, running: running.value, dragging: dragging.value !== 0 });
+      const line = presentLine.value;
       clearTimeout(timer);
       if (line.tone === 'busy') return;
       const what = `${line.tone} ${now?.name} ${now?.note}`;

@@ -1,21 +1,16 @@
 // The foot of the page: the verdict, jobs under way, warnings; what was refused stands above it.
 
-import { dialog, dragging, connection, jobs, running, verdict, warnings } from '../../core/store';
+import { dialog, jobs, warnings } from '../../core/store';
 import { counted } from '../logic/number_text';
-import { verdictLine } from '../logic/verdict_line';
 import { Icon } from '../parts/icon';
 import { FaultBar } from './fault_bar';
 import { JobChip } from './job_chip';
 import { LiveRegion } from './live_region';
+import { presentLine } from './present_line';
 import { VerdictPanel } from './verdict_panel';
 
 export function VerdictBar() {
-  const line = verdictLine({
-    connection: connection.value,
-    verdict: verdict.value,
-    running: running.value,
-    dragging: dragging.value !== 0,
-  });
+  const line = presentLine.value;
   const open = dialog.value === 'verdict';
   const under = Object.values(jobs.value).filter((job) => job?.state === 'running');
   const count = warnings.value.length;

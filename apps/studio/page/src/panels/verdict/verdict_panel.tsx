@@ -4,14 +4,14 @@ import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { edit, send } from '../../core/connection';
 import type { VerdictEvent } from '../../core/protocol';
-import { connection, dialog, dragging, log, running, verdict, warnings } from '../../core/store';
+import { dialog, log, verdict, warnings } from '../../core/store';
 import { short, withUnit } from '../logic/number_text';
-import { verdictLine } from '../logic/verdict_line';
 import { sentence, sentenceCase } from '../logic/words';
 import { Button } from '../parts/button';
 import { Facts } from '../parts/facts';
 import { place } from '../parts/popover';
 import { isPlace, selectPlace } from '../select_place';
+import { presentLine } from './present_line';
 import { WarningList } from './warning_list';
 
 const kLines = 20;
@@ -49,7 +49,7 @@ export function VerdictPanel() {
 
 function Reason() {
   const now = verdict.value;
-  const line = verdictLine({ connection: connection.value, verdict: now, running: running.value, dragging: dragging.value !== 0 });
+  const line = presentLine.value;
   return (
     <div class="stack">
       <div class="row between">
