@@ -1,13 +1,15 @@
 import type { Server } from 'node:http';
-import { defineConfig, type Plugin } from 'vite';
+import type { Plugin } from 'vite';
+import { defineConfig } from 'vitest/config';
 
 /** `npm run dev` answers /live by the stand-in engine; the built page has no part of it. */
 const standIn: Plugin = {
   name: 'stand-in-engine',
   apply: 'serve',
   async configureServer(server) {
-    const { attach } = await import('./dev/engine');
-    if (server.httpServer) attach(server.httpServer as Server);
+    if (!server.httpServer) return;
+    const { attach } = (await server.ssrLoadModule('/dev/engine.ts')) as typeof import('./dev/engine');
+    attach(server.httpServer as Server);
   },
 };
 
@@ -23,5 +25,9 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     reportCompressedSize: true,
     chunkSizeWarningLimit: 900,
+  },
+  test: {
+    include: ['tests/**/*.test.ts'],
+    coverage: { provider: 'v8', include: ['src/core/**'] },
   },
 });

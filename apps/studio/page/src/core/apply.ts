@@ -2,7 +2,7 @@
 
 import { batch } from '@preact/signals-core';
 import { fitRanges } from './fields';
-import type { EngineEvent, Pack, ShapePack } from './protocol';
+import type { EngineEvent, FieldInfo, Pack, ShapePack, TopologyPack } from './protocol';
 import * as store from './store';
 
 const kLogLines = 200;
@@ -15,6 +15,7 @@ export function applyEvent(event: EngineEvent): void {
     case 'plan':
       batch(() => {
         store.plan.value = event;
+        renameRods();
         dropVanished();
       });
       break;
@@ -80,7 +81,10 @@ export function applyPack(pack: Pack): void {
   }
 }
 
-function applyTopology(pack: Extract<Pack, { pack: 'topology' }>): void {
+/** Numbers of the plan's rods, as the engine sent them with the present mesh, and how many rods there were. */
+let planRods: { numbers: number[]; count: number } = { numbers: [], count: 0 };
+
+function applyTopology(pack: TopologyPack): void {
   batch(() => {
     if (pack.topology !== store.topology.peek()?.topology) {
       // Numbers of nodes mean nothing on another mesh.
@@ -90,16 +94,37 @@ function applyTopology(pack: Extract<Pack, { pack: 'topology' }>): void {
       store.modeShapes.value = null;
       store.branchShapes.value = null;
     }
-    store.topology.value = pack;
-    store.rodField.value = pack.field_rods;
-    store.fabricField.value = pack.field_fabric;
+    planRods = { numbers: pack.rods.map((rod) => Number(rod.plan_rod)), count: store.plan.peek()?.rods.length ?? 0 };
+    store.topology.value = { ...pack, rods: namedRods(pack) };
   });
 }
 
+/** Rods of the mesh with the names of the plan's rods in the place of their numbers; others keep their own. */
+function namedRods(pack: TopologyPack): TopologyPack['rods'] {
+  const rods = store.plan.peek()?.rods ?? [];
+  return pack.rods.map((rod, i) => ({ ...rod, plan_rod: rods[planRods.numbers[i]]?.name ?? rod.name }));
+}
+
+/** A rod of the plan may get another name while the mesh stays. */
+function renameRods(): void {
+  const topology = store.topology.peek();
+  if (!topology || store.plan.peek()?.rods.length !== planRods.count) return;
+  const rods = namedRods(topology);
+  if (rods.some((rod, i) => rod.plan_rod !== topology.rods[i].plan_rod)) store.topology.value = { ...topology, rods };
+}
+
+const kNoField: FieldInfo = { name: '', unit: '', low: 0, high: 1, diverging: false };
+
 function applyShape(pack: ShapePack): void {
   if (pack.topology !== store.topology.peek()?.topology) return;
+  // Without a field the engine says nothing about one.
+  pack.field_rods ??= kNoField;
+  pack.field_fabric ??= kNoField;
   batch(() => {
     fitRanges(pack);
+    // Another page may have asked for other fields.
+    store.rodField.value = pack.field_rods.name;
+    store.fabricField.value = pack.field_fabric.name;
     store.shape.value = pack;
     if (pack.settled) store.settledShape.value = pack;
   });

@@ -4,7 +4,7 @@
 import { axesOf, kFieldOfView, meet, slide, type Projector } from './camera';
 import { nearestOnSegment } from './picking';
 import type { HandleMove, Vec2, Vec3 } from './protocol';
-import { add, along, cross, dot, norm, scale, sub, turned, unit } from './vec';
+import { add, along, composed, cross, dot, norm, scale, sub, turned, unit } from './vec';
 
 export type Grip = 'x' | 'y' | 'z' | 'turn-x' | 'turn-y' | 'turn-z' | 'screen' | 'scale';
 
@@ -99,9 +99,9 @@ export function dragged(grip: Grip, projector: Projector, start: Vec3, from: Han
   }
   const axis = grip.slice(5) as 'x' | 'y' | 'z';
   const angle = angleAbout(kAxes[axis], projector, center, rays, a, b);
-  const turn_deg: Vec3 = [...from.turn_deg];
-  turn_deg['xyz'.indexOf(axis)] += (angle * 180) / Math.PI;
-  return { ...from, turn_deg };
+  const degree = Math.PI / 180;
+  const turn = composed(scale(kAxes[axis], angle), scale(from.turn_deg, degree));
+  return { ...from, turn_deg: scale(turn, 1 / degree) };
 }
 
 /** How far the pointer has gone round an axis: in the plane of the ring, or on the screen when that is seen edge on. */

@@ -65,6 +65,25 @@ export function turned(p: Vec3, axis: Vec3, angle: number): Vec3 {
   return [p[0] * c + side[0] * s + axis[0] * keep, p[1] * c + side[1] * s + axis[1] * keep, p[2] * c + side[2] * s + axis[2] * keep];
 }
 
+/** The rotation vector (radians) of `first`, then `second` (Rodrigues' formula by quaternions). */
+export function composed(second: Vec3, first: Vec3): Vec3 {
+  const [w2, v2] = quaternion(second);
+  const [w1, v1] = quaternion(first);
+  const w = w2 * w1 - dot(v2, v1);
+  const v = add(add(scale(v1, w2), scale(v2, w1)), cross(v2, v1));
+  const length = norm(v);
+  if (length < 1e-15) return [0, 0, 0];
+  // Of the two ways round the shorter one.
+  const angle = 2 * Math.atan2(length, Math.abs(w)) * (w < 0 ? -1 : 1);
+  return scale(v, angle / length);
+}
+
+function quaternion(rotation: Vec3): [number, Vec3] {
+  const angle = norm(rotation);
+  if (angle < 1e-15) return [1, scale(rotation, 0.5)];
+  return [Math.cos(angle / 2), scale(rotation, Math.sin(angle / 2) / angle)];
+}
+
 /** Low and high corner of an array of shape (n, 3); null when there is no finite point. */
 export function bounds(data: ArrayLike<number>): { low: Vec3; high: Vec3 } | null {
   const low: Vec3 = [Infinity, Infinity, Infinity];

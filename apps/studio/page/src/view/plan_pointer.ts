@@ -52,7 +52,6 @@ export function listenPlan(element: HTMLElement, size: () => Screen): () => void
 
   element.addEventListener('pointerdown', (event) => {
     element.setPointerCapture(event.pointerId);
-    element.focus({ preventScroll: true });
     last = pixel(event);
     // The left button belongs to the tool; the others shift the plan.
     panning = event.button !== 0;

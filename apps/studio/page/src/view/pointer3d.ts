@@ -43,7 +43,6 @@ export function listen3d(element: HTMLElement): () => void {
   element.addEventListener('pointerdown', (event) => {
     start = last = place(event);
     element.setPointerCapture(event.pointerId);
-    element.focus({ preventScroll: true });
     const motion = motionOf(store.navigation.peek(), event);
     const held = motion ? null : grip(start);
     if (motion) {

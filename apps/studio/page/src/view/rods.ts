@@ -82,8 +82,10 @@ export class Rods {
     this.slots = new Float32Array(4 * kColumns * rowsFor(2 * count));
     this.dispose();
     this.state = texture(this.slots, RGBAFormat, 2 * count);
+    this.radii = texture(new Float32Array(2 * kColumns * rowsFor(count)), RGFormat, count);
     this.marks = texture(new Uint8Array(4 * kColumns * rowsFor(count)), RGBAFormat, count);
     this.uniforms.state.value = this.state;
+    this.uniforms.radii.value = this.radii;
     this.uniforms.marks.value = this.marks;
     this.setRadii(topology.edge_radii);
     this.build();
@@ -97,12 +99,9 @@ export class Rods {
   }
 
   setRadii(edgeRadii: Float32Array): void {
-    if (!this.chains) return;
-    const data = new Float32Array(2 * kColumns * rowsFor(this.chains.count));
-    data.set(slotRadii(this.chains, edgeRadii));
-    this.radii?.dispose();
-    this.radii = texture(data, RGFormat, this.chains.count);
-    this.uniforms.radii.value = this.radii;
+    if (!this.chains || !this.radii) return;
+    (this.radii.image.data as unknown as Float32Array).set(slotRadii(this.chains, edgeRadii));
+    this.radii.needsUpdate = true;
   }
 
   /** A frame: places, axes and values (null: plain). */
@@ -140,6 +139,7 @@ export class Rods {
 
   private dispose(): void {
     this.state?.dispose();
+    this.radii?.dispose();
     this.marks?.dispose();
   }
 }

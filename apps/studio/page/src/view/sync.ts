@@ -8,7 +8,7 @@ import { followProjection } from './camera_motion';
 import { syncConstraints } from './sync_constraints';
 import { syncGhosts } from './sync_ghosts';
 import { paletteOf } from './palette';
-import { kHighQuality, kLowQuality, type View } from './view';
+import { highQuality, kLowQuality, type View } from './view';
 
 /** Fields are named by the engine; an empty name asks for none. */
 function fieldOf(info: FieldInfo | undefined, name: string): FieldInfo | null {
@@ -22,11 +22,14 @@ export function sync(view: View): () => void {
     followProjection(),
     effect(() => view.setPalette(paletteOf(store.dark.value))),
     effect(() => view.setScreen(store.viewSize.value)),
-    effect(() => view.setCamera(store.camera.value)),
+    effect(() => {
+      view.setCamera(store.camera.value);
+      view.hurry();
+    }),
     effect(() => {
       const { value } = store.quality;
       const low = value === 'low' || (value === 'auto' && store.softwareRenderer.value);
-      view.setQuality(low ? kLowQuality : kHighQuality());
+      view.setQuality(low ? kLowQuality : highQuality());
     }),
     effect(() => {
       const made = store.topology.value;
@@ -34,6 +37,7 @@ export function sync(view: View): () => void {
       if (!made || !shape || shape.topology !== made.topology) return;
       if (topology !== made.topology) view.setTopology(made);
       topology = made.topology;
+      view.hurry();
       view.setShape(shape, fieldOf(shape.field_rods, store.rodField.value) !== null, fieldOf(shape.field_fabric, store.fabricField.value) !== null);
     }),
     effect(() => {

@@ -18,10 +18,18 @@ export interface ViewQuality {
   antialias: boolean;
   sides: number;
   pixelRatio: number;
+  /** While things move; finer again a moment after they rest. */
+  hurriedRatio: number;
 }
 
-export const kHighQuality = (): ViewQuality => ({ antialias: true, sides: 12, pixelRatio: Math.min(devicePixelRatio, 2) });
-export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1 };
+export function highQuality(): ViewQuality {
+  const pixelRatio = Math.min(devicePixelRatio, 2);
+  return { antialias: true, sides: 12, pixelRatio, hurriedRatio: pixelRatio };
+}
+export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1, hurriedRatio: 0.6 };
+
+/** How long things have to rest before they are drawn finely, ms. */
+const kRestMs = 220;
 
 export type GhostName = 'flat' | 'previous' | 'preview' | 'mode' | 'branch';
 
@@ -58,13 +66,17 @@ export class View {
   private ground = 0;
   private asked = 0;
   private lost = false;
+  private restTimer: ReturnType<typeof setTimeout> | undefined;
+  private ratio: number;
+  /** Signalled once the graphics card, or the processor in its place, has drawn the last picture. */
+  private drawn: WebGLSync | null = null;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
     private quality: ViewQuality,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: quality.antialias, alpha: true, powerPreference: 'high-performance' });
-    this.renderer.setPixelRatio(quality.pixelRatio);
+    this.ratio = quality.pixelRatio;
     this.rods = new Rods(quality.sides, this.tables, this.palette);
     this.fabric = new Fabric(this.tables, this.palette);
     this.grid = new Grid(this.palette);
@@ -88,6 +100,7 @@ export class View {
 
   dispose(): void {
     cancelAnimationFrame(this.asked);
+    clearTimeout(this.restTimer);
     this.canvas.removeEventListener('webglcontextlost', this.onLost);
     this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
     this.renderer.dispose();
@@ -95,10 +108,20 @@ export class View {
 
   setScreen(screen: Screen): void {
     this.screen = screen;
-    this.renderer.setSize(screen.width, screen.height, false);
     for (const lines of Object.values(this.lines)) lines.setScreen(screen.width, screen.height);
-    // A canvas that was resized is empty: draw before the browser shows it.
     this.draw();
+  }
+
+  /** Things move now: pictures may be coarser until they rest. */
+  hurry(): void {
+    const { pixelRatio, hurriedRatio } = this.quality;
+    if (hurriedRatio === pixelRatio) return;
+    this.ratio = hurriedRatio;
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(() => {
+      this.ratio = pixelRatio;
+      this.invalidate();
+    }, kRestMs);
   }
 
   setCamera(camera: Camera): void {
@@ -109,8 +132,8 @@ export class View {
   /** Sides and pixel ratio can change while running; antialiasing only with a new context. */
   setQuality(quality: ViewQuality): void {
     this.quality = quality;
+    this.ratio = quality.pixelRatio;
     this.rods.setSides(quality.sides);
-    this.renderer.setPixelRatio(quality.pixelRatio);
     this.setScreen(this.screen);
   }
 
@@ -156,15 +179,24 @@ export class View {
   }
 
   invalidate(): void {
-    if (this.asked === 0) this.asked = requestAnimationFrame(() => this.draw());
+    if (this.asked === 0) this.asked = requestAnimationFrame(this.onFrame);
   }
+
+  // Without a graphics card a picture takes longer than a frame: the next one waits, so that the rest of the page does not.
+  private readonly onFrame = () => {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    if (this.drawn && !this.lost && gl.getSyncParameter(this.drawn, gl.SYNC_STATUS) !== gl.SIGNALED) {
+      this.asked = requestAnimationFrame(this.onFrame);
+      return;
+    }
+    this.draw();
+  };
 
   /** PNG of the picture at `ratio` times its size; transparent where nothing is. */
   async capture(ratio: number, grid: boolean): Promise<HTMLCanvasElement> {
     const shown = this.grid.lines.visible;
     this.grid.lines.visible = shown && grid;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(this.screen.width, this.screen.height, false);
+    this.ratio = ratio;
     this.draw();
     const copy = document.createElement('canvas');
     copy.width = this.canvas.width;
@@ -183,6 +215,7 @@ export class View {
   // three rebuilds its own objects; textures and buffers are uploaded again with the next picture.
   private readonly onRestored = () => {
     this.lost = false;
+    this.drawn = null;
     this.invalidate();
   };
 
@@ -190,6 +223,7 @@ export class View {
     cancelAnimationFrame(this.asked);
     this.asked = 0;
     if (this.lost || this.screen.width < 2 || this.screen.height < 2) return;
+    this.fitCanvas();
     const { camera, screen, eye } = this;
     eye.matrixWorldInverse.fromArray(viewMatrix(camera));
     eye.matrixWorld.copy(eye.matrixWorldInverse).invert();
@@ -202,6 +236,18 @@ export class View {
     const middle: Vec3 = [camera.target[0], camera.target[1], this.ground];
     this.grid.place(middle, pixel * screen.height);
     this.renderer.render(this.scene, eye);
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    if (this.drawn) gl.deleteSync(this.drawn);
+    this.drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
     this.onDrawn();
+  }
+
+  /** A canvas that gets another size is empty until it is drawn: only draw() may do that. */
+  private fitCanvas(): void {
+    const { width, height } = this.screen;
+    if (this.canvas.width === Math.floor(width * this.ratio) && this.canvas.height === Math.floor(height * this.ratio)) return;
+    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setSize(width, height, false);
   }
 }

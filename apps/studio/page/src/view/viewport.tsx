@@ -16,7 +16,7 @@ import { Overlay } from './overlay';
 import { listen3d } from './pointer3d';
 import { probeMachine } from './quality';
 import { sync } from './sync';
-import { kHighQuality, kLowQuality, View } from './view';
+import { highQuality, kLowQuality, View } from './view';
 import { ViewCube } from './view_cube';
 import './view.css';
 
@@ -34,7 +34,7 @@ export function Viewport({ children }: { children?: ComponentChildren }) {
       setMissing(true);
       return;
     }
-    const view = new View(canvas.current, machine.software ? kLowQuality : kHighQuality());
+    const view = new View(canvas.current, machine.software ? kLowQuality : highQuality());
     setCurrentView(view);
     const ends = [follow(canvas.current), sync(view), listen3d(surface.current), gizmo(view), frames(), watch(view)];
     return () => {
