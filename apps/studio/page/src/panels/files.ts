@@ -1,10 +1,10 @@
 // Opening, saving and beginning anew, with what has to be asked before.
 
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { announce } from '../core/commands';
 import { send } from '../core/connection';
 import type { Answer, EngineFault, Request } from '../core/protocol';
-import { dialog, fault, project } from '../core/store';
+import { dialog, fault, history, project } from '../core/store';
 
 /** What waits for a word about unsaved changes; null: nothing. */
 export const leaving = signal<Request | null>(null);
@@ -51,8 +51,14 @@ export async function save(file?: string, replace = false): Promise<Answer | nul
   return answer;
 }
 
+/** There is work that no file holds: what was only opened and not touched needs no saving. */
+export const dirty = computed(() => {
+  const { at, saved_at } = history.value ?? { at: 0, saved_at: -1 };
+  return project.value?.kind === 'plan' && !project.value.saved && (at > 0 || saved_at > 0);
+});
+
 async function leaveFor(request: Request): Promise<void> {
-  if (project.peek() && !project.peek()?.saved) leaving.value = request;
+  if (dirty.peek()) leaving.value = request;
   else await go(request);
 }
 

@@ -19,7 +19,6 @@ export function HandleSection() {
   return (
     <>
       <Section title="Handle">
-        {held?.sentence && <p>{sentence(held.sentence)}</p>}
         <Field
           label="Soft radius"
           unit="mm"
@@ -34,8 +33,11 @@ export function HandleSection() {
           }}
         />
         <PoseFields />
-        {held?.stale && (
-          <p class="note warn">The linear answer no longer holds here. Accept it now and go on from the shape that comes out.</p>
+        {answer?.stale && (
+          <p class="note warn">
+            {held?.stale && held.sentence ? sentence(held.sentence) : 'Pulled far: the linear answer no longer holds.'} Accepting it settles
+            the shape here; then go on.
+          </p>
         )}
         <div class="row">
           <Button icon="check" class="primary" keys={['Enter']} label="Fit the design to this target" onClick={acceptHandle}>

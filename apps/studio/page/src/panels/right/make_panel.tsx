@@ -6,7 +6,7 @@ import { preflight, preflightSummary, type Check } from '../logic/preflight';
 import { Icon, type IconName } from '../parts/icon';
 import { Section } from '../parts/section';
 import { Button } from '../parts/button';
-import { save } from '../files';
+import { dirty, save } from '../files';
 import { WarningActions } from '../verdict/warning_list';
 import { dialog } from '../../core/store';
 import { ExportSection } from './export_section';
@@ -24,7 +24,7 @@ export function MakePanel() {
     warnings: warnings.value,
     measures: measures.value,
     plan: plan.value,
-    saved: project.value?.saved ?? false,
+    saved: !dirty.value && project.value?.file !== '',
   };
   const checks = useMemo(() => preflight(facts), Object.values(facts));
   return (

@@ -12,7 +12,7 @@ import { TextField } from '../parts/text_field';
 
 export function ProjectSection() {
   const now = project.value;
-  if (!now) return null;
+  if (!now || now.title === undefined) return null;
   return (
     <Section title="Project">
       <TextField

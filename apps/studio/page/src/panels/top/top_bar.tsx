@@ -1,6 +1,6 @@
 // The bar at the top: menu, file, modes, history, search, settings.
 
-import { project } from '../../core/store';
+import { dirty } from '../files';
 import { sideShown, toggleSide } from '../layout_state';
 import { Button, CommandButton } from '../parts/button';
 import { FileMenu } from './file_menu';
@@ -15,7 +15,7 @@ export function TopBar() {
       <div class="top-start">
         <MainMenu />
         <FileMenu />
-        {project.value && !project.value.saved && (
+        {dirty.value && (
           <span class="unsaved" role="img" aria-label="Not saved yet" title="Not saved yet" />
         )}
       </div>
