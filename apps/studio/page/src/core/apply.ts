@@ -10,7 +10,11 @@ const kLogLines = 200;
 export function applyEvent(event: EngineEvent): void {
   switch (event.event) {
     case 'project':
-      store.project.value = event;
+      batch(() => {
+        store.project.value = event;
+        // What is only looked at has no plan: the one before must not stay.
+        if (event.kind !== 'plan') store.plan.value = null;
+      });
       break;
     case 'plan':
       batch(() => {

@@ -1,10 +1,11 @@
 // Opening, saving and beginning anew, with what has to be asked before.
 
-import { computed, signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import { announce } from '../core/commands';
 import { send } from '../core/connection';
 import type { Answer, EngineFault, Request } from '../core/protocol';
-import { dialog, fault, history, project } from '../core/store';
+import { emptySelection } from '../core/selection';
+import { dialog, fault, fit, history, modes, project, selection, shownMode } from '../core/store';
 
 /** What waits for a word about unsaved changes; null: nothing. */
 export const leaving = signal<Request | null>(null);
@@ -64,5 +65,13 @@ async function leaveFor(request: Request): Promise<void> {
 
 async function go(request: Request): Promise<void> {
   const answer = await send(request);
-  if (answer.ok && dialog.peek() === 'start') dialog.value = '';
+  if (!answer.ok) return;
+  // Found for another design.
+  batch(() => {
+    modes.value = null;
+    shownMode.value = -1;
+    fit.value = null;
+    selection.value = emptySelection;
+    if (dialog.peek() === 'start') dialog.value = '';
+  });
 }
