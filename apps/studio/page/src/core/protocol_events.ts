@@ -9,7 +9,8 @@ export interface ProjectEvent {
   title: string;
   saved: boolean;
   recovery?: { name: string; when: string; steps: number };
-  kind: 'plan' | 'structure';
+  /** "none": nothing is open; then the other fields are absent. */
+  kind: 'plan' | 'structure' | 'none';
 }
 
 export interface PlanEvent {

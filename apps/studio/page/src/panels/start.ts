@@ -1,7 +1,7 @@
 // What has to be there before the page is drawn.
 
-import type { Signal } from '@preact/signals';
-import { reducedMotion, systemDark } from '../core/store';
+import { effect, type Signal } from '@preact/signals';
+import { dialog, project, reducedMotion, systemDark } from '../core/store';
 import { registerPanelCommands } from './commands';
 import { keepSettings } from './settings';
 import { watchJobs } from './verdict/job_ends';
@@ -12,6 +12,10 @@ export function startPanels(storage: Storage): void {
   follow('(prefers-reduced-motion: reduce)', reducedMotion);
   keepSettings(storage);
   watchJobs();
+  // Where nothing is open, work begins at the start page.
+  effect(() => {
+    if (project.value?.kind === 'none') dialog.value = 'start';
+  });
 }
 
 /** Keeps a signal in step with what the operating system asks for. */
