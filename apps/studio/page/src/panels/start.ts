@@ -3,6 +3,7 @@
 import { effect, type Signal } from '@preact/signals';
 import { dialog, project, reducedMotion, systemDark } from '../core/store';
 import { registerPanelCommands } from './commands';
+import { dirty } from './files';
 import { keepSettings } from './settings';
 import { watchJobs } from './verdict/job_ends';
 
@@ -12,6 +13,10 @@ export function startPanels(storage: Storage): void {
   follow('(prefers-reduced-motion: reduce)', reducedMotion);
   keepSettings(storage);
   watchJobs();
+  effect(() => {
+    const name = project.value?.file || project.value?.title || '';
+    document.title = name === '' ? 'lissom studio' : `${dirty.value ? '• ' : ''}${name} – lissom`;
+  });
   // Where nothing is open, work begins at the start page.
   effect(() => {
     if (project.value?.kind === 'none') dialog.value = 'start';

@@ -10,6 +10,8 @@ interface ButtonProps {
   icon?: IconName;
   /** Said by screen readers and shown on hover; for buttons with a text only where it needs more words. */
   label?: string;
+  /** Shown on hover instead of the label. */
+  hint?: string;
   class?: string;
   pressed?: boolean;
   disabled?: boolean;
@@ -22,7 +24,8 @@ interface ButtonProps {
 export function Button(props: ButtonProps) {
   const { icon, label, children, pressed, disabled, onClick, keys = [] } = props;
   const bare = children === undefined;
-  const shown = keys[0] ? `${label ?? ''} (${keyText(keys[0])})` : label;
+  const said = props.hint ?? label;
+  const shown = keys[0] ? `${said ?? ''} (${keyText(keys[0])})` : said;
   const element = useRef<HTMLButtonElement>(null);
   // A disabled button that keeps the focus would swallow every key.
   useEffect(() => {
@@ -47,7 +50,7 @@ export function Button(props: ButtonProps) {
 }
 
 /** A button for a command of the registry; absent where the command is. */
-export function CommandButton(props: { id: string; text?: string; icon?: IconName; class?: string }) {
+export function CommandButton(props: { id: string; text?: string; icon?: IconName; class?: string; hint?: string }) {
   const found = command(props.id);
   if (!found) return null;
   const icon = props.icon ?? (isIconName(found.icon) ? found.icon : undefined);
@@ -55,6 +58,7 @@ export function CommandButton(props: { id: string; text?: string; icon?: IconNam
     <Button
       icon={icon}
       label={found.title}
+      hint={props.hint}
       class={props.class}
       pressed={found.checked?.()}
       disabled={!isEnabled(found)}

@@ -105,6 +105,7 @@ function Shown({ of }: { of: ModesEvent['modes'] }) {
         digits={1}
         step={0.5}
         range={[-largest.value, largest.value]}
+        initial={10}
         value={modeAmplitude.value}
         onPreview={(value) => (modeAmplitude.value = value)}
         onCommit={(value) => {

@@ -12,6 +12,8 @@ import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 
 const kStretch: readonly [number, number] = [1, 1.8];
+/** Where designs begin. */
+const kUsualStretch = 1.4;
 
 export function FabricSection() {
   const fabric = plan.value?.fabric;
@@ -63,7 +65,7 @@ function Stretch({ fabric }: { fabric: FabricSettings }) {
   const first = useDragged((value) => ({ name: 'set_pre_stretch', along: [value, weft] }));
   const second = useDragged((value) => ({ name: 'set_pre_stretch', along: [warp, value] }));
   const separate = apart.value || warp !== weft;
-  const common = { unit: '', digits: 2, step: 0.01, range: kStretch, disabled: lookOnly.value } as const;
+  const common = { unit: '', digits: 2, step: 0.01, range: kStretch, initial: kUsualStretch, disabled: lookOnly.value } as const;
   return (
     <>
       <Field label={separate ? 'Stretch along warp' : 'Pre-stretch'} value={warp} {...common} {...(separate ? first : both)} />
@@ -90,6 +92,7 @@ function WarpField({ fabric }: { fabric: FabricSettings }) {
       digits={1}
       step={5}
       range={[-90, 90]}
+      initial={0}
       value={fabric.warp_angle_deg}
       disabled={lookOnly.value}
       {...drag}

@@ -1,5 +1,6 @@
 // The bar at the top: menu, file, modes, history, search, settings.
 
+import { history } from '../../core/store';
 import { dirty } from '../files';
 import { sideShown, toggleSide } from '../layout_state';
 import { Button, CommandButton } from '../parts/button';
@@ -21,8 +22,7 @@ export function TopBar() {
       </div>
       <ModeTabs />
       <div class="top-end">
-        <CommandButton id="edit.undo" icon="undo" />
-        <CommandButton id="edit.redo" icon="redo" />
+        <UndoRedo />
         <CommandButton id="help.commands" icon="search" />
         <SettingsPopover />
         <CommandButton id="help.keys" icon="help" />
@@ -40,5 +40,18 @@ export function TopBar() {
         />
       </div>
     </header>
+  );
+}
+
+/** They say what they would take back or do again. */
+function UndoRedo() {
+  const { steps, at } = history.value ?? { steps: [], at: 0 };
+  const back = steps[at - 1];
+  const forth = steps[at];
+  return (
+    <>
+      <CommandButton id="edit.undo" icon="undo" hint={back && `Undo: ${back.title}`} />
+      <CommandButton id="edit.redo" icon="redo" hint={forth && `Redo: ${forth.title}`} />
+    </>
   );
 }
