@@ -7,9 +7,10 @@ install(TARGETS lissom EXPORT lissomTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# Headers of the JSON layer need nlohmann_json and stay at home.
+# Headers of the JSON layer, and those of the studio, which speaks JSON, need nlohmann_json and stay at home.
 install(DIRECTORY lissom DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h" PATTERN "*_json.h" EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "*_json.h" EXCLUDE
+  PATTERN "lissom/editing" EXCLUDE PATTERN "lissom/studio" EXCLUDE)
 install(EXPORT lissomTargets NAMESPACE lissom:: DESTINATION ${lissom_package_dir})
 if(TARGET lissom_cli)
   install(TARGETS lissom_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
