@@ -14,7 +14,8 @@ function openWire(): Wire {
   return new WebSocket(address) as unknown as Wire;
 }
 
-connect(new Connection(openWire, (run) => requestAnimationFrame(run)));
+// Not before the next picture: what a picture's turn applies would be drawn only in the turn after it.
+connect(new Connection(openWire, (run) => setTimeout(run, 0)));
 registerCommands();
 startPanels(localStorage);
 holdInShape();

@@ -1,11 +1,18 @@
 // Writes what the engine says into the store.
 
 import { batch } from '@preact/signals-core';
+import { CalmWriter } from './calm';
 import { fitRanges } from './fields';
 import type { EngineEvent, FieldInfo, Pack, ShapePack, TopologyPack } from './protocol';
 import * as store from './store';
 
 const kLogLines = 200;
+
+const dragged = () => store.dragging.peek() !== 0;
+const calmPlan = new CalmWriter(store.plan, dragged);
+const calmVerdict = new CalmWriter(store.verdict, dragged);
+const calmMeasures = new CalmWriter(store.measures, dragged);
+const calmWarnings = new CalmWriter(store.warnings, dragged);
 
 export function applyEvent(event: EngineEvent): void {
   switch (event.event) {
@@ -13,12 +20,16 @@ export function applyEvent(event: EngineEvent): void {
       batch(() => {
         store.project.value = event;
         // What is only looked at has no plan: the one before must not stay.
-        if (event.kind !== 'plan') store.plan.value = null;
+        if (event.kind === 'plan') return;
+        calmPlan.write(null);
+        calmPlan.flush();
+        store.livePlan.value = null;
       });
       break;
     case 'plan':
       batch(() => {
-        store.plan.value = event;
+        store.livePlan.value = event;
+        calmPlan.write(event);
         renameRods();
         dropVanished();
       });
@@ -29,13 +40,13 @@ export function applyEvent(event: EngineEvent): void {
       store.history.value = event;
       break;
     case 'verdict':
-      store.verdict.value = event;
+      calmVerdict.write(event);
       break;
     case 'measures':
-      store.measures.value = event;
+      calmMeasures.write(event);
       break;
     case 'warnings':
-      store.warnings.value = event.warnings;
+      calmWarnings.write(event.warnings);
       break;
     case 'job':
       store.jobs.value = { ...store.jobs.peek(), [event.job]: event };

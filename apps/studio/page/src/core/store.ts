@@ -35,7 +35,11 @@ export const connection = signal<ConnectionState>('connecting');
 /** Answer to hello: version, folder, edits, fields, templates, materials. */
 export const hello = signal<Hello | null>(null);
 export const project = signal<ProjectEvent | null>(null);
+/** While something is dragged it follows at most five times a second (as do verdict, measures and warnings); pictures of
+ *  the plan use livePlan. */
 export const plan = signal<PlanEvent | null>(null);
+/** The plan at every step of a drag: for what draws it, not for panels. */
+export const livePlan = signal<PlanEvent | null>(null);
 export const history = signal<HistoryEvent | null>(null);
 export const verdict = signal<VerdictEvent | null>(null);
 export const measures = signal<MeasuresEvent | null>(null);

@@ -1,23 +1,51 @@
 // Draws the plan: fabric, rods at their true width, ghosts dashed, control points, constraints.
 
 import { css, type Colour } from '../core/colours';
-import { lineOf, placeOf } from '../core/echo';
+import { lineOf, placeOf, type Moves } from '../core/echo';
 import type { PlanEvent, PlanRod, Vec2 } from '../core/protocol';
 import { niceStep } from '../core/scale_bar';
 import type { PlanScene } from './plan_scene';
 
 type Pen = CanvasRenderingContext2D;
 
-export function paintPlan(pen: Pen, scene: PlanScene): void {
+/** The still layer: what the pointer does not touch now. */
+export function paintStill(pen: Pen, scene: PlanScene): void {
   pen.clearRect(0, 0, scene.size.width, scene.size.height);
   pen.lineJoin = pen.lineCap = 'round';
   if (scene.grid) paintGrid(pen, scene);
   paintFabric(pen, scene);
-  const { plan } = scene;
+  const { plan, moves } = scene;
   if (!plan) return;
-  for (const rod of plan.rods) if (rod.role === 'rod' || scene.ghosts) paintRod(pen, scene, plan, rod);
-  if (scene.constraints) paintConstraints(pen, scene, plan);
-  if (scene.points) plan.points.forEach((_, i) => paintPoint(pen, scene, plan, i));
+  for (const rod of rodsOf(scene, plan)) if (!isMoved(plan, rod, moves)) paintRod(pen, scene, plan, rod, 'plain');
+  if (scene.constraints) paintConstraints(pen, scene, plan, (name) => !moves.has(name));
+  if (scene.points) plan.points.forEach((p, i) => !moves.has(p.name) && paintPoint(pen, scene, plan, i, 'plain'));
+}
+
+/** The live layer: what is dragged, hovered or selected. */
+export function paintLive(pen: Pen, scene: PlanScene): void {
+  pen.lineJoin = pen.lineCap = 'round';
+  const { plan, moves, hover, selection } = scene;
+  if (!plan) return;
+  for (const rod of rodsOf(scene, plan)) {
+    const look = hover?.kind === 'rod' && hover.name === rod.name ? 'hot' : selection.rods.has(rod.name) ? 'selected' : 'plain';
+    if (look !== 'plain' || isMoved(plan, rod, moves)) paintRod(pen, scene, plan, rod, look);
+  }
+  if (scene.constraints && moves.size > 0) paintConstraints(pen, scene, plan, (name) => moves.has(name));
+  if (!scene.points) return;
+  plan.points.forEach(({ name }, i) => {
+    const look = hover?.kind === 'point' && hover.name === name ? 'hot' : selection.points.has(name) ? 'selected' : 'plain';
+    if (look !== 'plain' || moves.has(name)) paintPoint(pen, scene, plan, i, look);
+  });
+}
+
+type Look = 'plain' | 'hot' | 'selected';
+
+function rodsOf({ ghosts }: PlanScene, plan: PlanEvent): PlanRod[] {
+  return ghosts ? plan.rods : plan.rods.filter((rod) => rod.role === 'rod');
+}
+
+function isMoved(plan: PlanEvent, rod: PlanRod, moves: Moves): boolean {
+  return moves.size > 0 && rod.points.some((i) => moves.has(plan.points[i].name));
 }
 
 export function rgba(colour: Colour, alpha: number): string {
@@ -103,45 +131,43 @@ function loopsOf(rim: Uint32Array): number[][] {
   return loops;
 }
 
-function paintRod(pen: Pen, scene: PlanScene, plan: PlanEvent, rod: PlanRod): void {
-  const { palette, selection, hover, camera, moves, pixel } = scene;
-  const hot = hover?.kind === 'rod' && hover.name === rod.name;
-  const selected = selection.rods.has(rod.name);
+function paintRod(pen: Pen, scene: PlanScene, plan: PlanEvent, rod: PlanRod, look: Look): void {
+  const { palette, camera, moves, pixel } = scene;
   const radius = rod.points.reduce((sum, i) => sum + plan.points[i].r_b_mm, 0) / Math.max(rod.points.length, 1);
   const width = Math.max(2 * radius * camera.pixels_per_mm, 1.75);
   const ghost = rod.role === 'ghost';
   trace(pen, lineOf(plan, rod, moves), pixel);
-  if (hot || selected) {
+  if (look !== 'plain') {
     pen.lineWidth = (ghost ? 2 : width) + 5;
-    pen.strokeStyle = rgba(hot ? palette.hover : palette.select, 0.35);
+    pen.strokeStyle = rgba(look === 'hot' ? palette.hover : palette.select, 0.35);
     pen.stroke();
   }
   pen.setLineDash(ghost ? [6, 5] : []);
   pen.lineWidth = ghost ? 1.75 : width;
-  pen.strokeStyle = css(hot ? palette.hover : selected ? palette.select : ghost ? palette.ghost : palette.rod);
+  const plain = ghost ? palette.ghost : palette.rod;
+  pen.strokeStyle = css(look === 'hot' ? palette.hover : look === 'selected' ? palette.select : plain);
   pen.stroke();
   pen.setLineDash([]);
 }
 
-function paintPoint(pen: Pen, scene: PlanScene, plan: PlanEvent, index: number): void {
-  const { palette, selection, hover, moves } = scene;
+function paintPoint(pen: Pen, scene: PlanScene, plan: PlanEvent, index: number, look: Look): void {
+  const { palette, selection, moves } = scene;
   const { name, split } = plan.points[index];
   const [x, y] = scene.pixel(placeOf(plan, index, moves));
-  const hot = hover?.kind === 'point' && hover.name === name;
-  const selected = selection.points.has(name);
-  const r = hot || selected ? 5 : 3.5;
+  const selected = look !== 'plain' && selection.points.has(name);
+  const r = look === 'plain' ? 3.5 : 5;
   pen.beginPath();
   // Kinks are square, smooth points round.
   if (split) pen.rect(x - r, y - r, 2 * r, 2 * r);
   else pen.arc(x, y, r, 0, 2 * Math.PI);
-  pen.fillStyle = css(selected ? palette.select : hot ? palette.hover : palette.ground);
+  pen.fillStyle = css(selected ? palette.select : look === 'hot' ? palette.hover : palette.ground);
   pen.fill();
   pen.lineWidth = 1.5;
   pen.strokeStyle = css(selected ? palette.select : palette.rod);
   pen.stroke();
 }
 
-function paintConstraints(pen: Pen, scene: PlanScene, plan: PlanEvent): void {
+function paintConstraints(pen: Pen, scene: PlanScene, plan: PlanEvent, shown: (name: string) => boolean): void {
   const { palette, moves, pixel, size } = scene;
   const at = (name: string): Vec2 | null => {
     const index = plan.points.findIndex((p) => p.name === name);
@@ -149,7 +175,7 @@ function paintConstraints(pen: Pen, scene: PlanScene, plan: PlanEvent): void {
   };
   pen.lineWidth = 2;
   pen.strokeStyle = pen.fillStyle = css(palette.pin);
-  for (const name of plan.constraints.pinned) {
+  for (const name of plan.constraints.pinned.filter(shown)) {
     const p = at(name);
     if (!p) continue;
     pen.beginPath();
@@ -160,6 +186,7 @@ function paintConstraints(pen: Pen, scene: PlanScene, plan: PlanEvent): void {
     pen.fill();
   }
   for (const [a, b] of plan.constraints.attached) {
+    if (!shown(a) && !shown(b)) continue;
     const [from, to] = [at(a), at(b)];
     if (from && to) trace(pen, [from, to], (p) => p);
     pen.stroke();

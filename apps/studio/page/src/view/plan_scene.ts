@@ -28,10 +28,17 @@ export interface PlanScene {
   pixel: (at: Vec2) => Vec2;
 }
 
+/** What the still layer shows: everything but what is dragged, hovered or selected. It is painted again only when its
+ *  parts change, for curves and text are slow to paint without a graphics card. */
+export function stillParts(scene: PlanScene): unknown[] {
+  const { plan, topology, camera, size, palette, grid, gridStep, constraints, ghosts, points, moves } = scene;
+  return [plan, topology, camera, size.width, size.height, palette, grid, gridStep, constraints, ghosts, points, [...moves.keys()].join(' ')];
+}
+
 export function planScene(size: Screen): PlanScene {
   const camera = store.planCamera.value;
   return {
-    plan: store.plan.value,
+    plan: store.livePlan.value,
     topology: store.topology.value,
     camera,
     size,

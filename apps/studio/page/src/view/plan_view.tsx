@@ -8,24 +8,25 @@ import type { Screen } from '../core/camera';
 import { noteEcho } from '../core/latency';
 import { fitPlan } from '../core/plan_camera';
 import * as store from '../core/store';
-import { paintPlan } from './plan_paint';
-import { kRuler, paintOver } from './plan_paint_over';
+import { paintLive, paintStill } from './plan_paint';
+import { kRuler, paintOver, paintRulerCursor, paintRulers } from './plan_paint_over';
 import { listenPlan } from './plan_pointer';
-import { planScene } from './plan_scene';
+import { planScene, stillParts, type PlanScene } from './plan_scene';
 import './view.css';
 
 export function PlanView({ children }: { children?: ComponentChildren }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
+  const still = useRef<HTMLCanvasElement>(null);
+  const live = useRef<HTMLCanvasElement>(null);
   const surface = useRef<HTMLDivElement>(null);
 
   useEffect(() => {
-    if (!canvas.current || !surface.current) return;
+    if (!still.current || !live.current || !surface.current) return;
     const size = signal<Screen>({ width: 0, height: 0 });
     const observer = new ResizeObserver(([entry]) => {
       size.value = { width: Math.round(entry.contentRect.width), height: Math.round(entry.contentRect.height) };
     });
-    observer.observe(canvas.current);
-    const ends = [paint(canvas.current, size), fits(size), listenPlan(surface.current, () => size.peek())];
+    observer.observe(live.current);
+    const ends = [paint(still.current, live.current, size), fits(size), listenPlan(surface.current, () => size.peek())];
     return () => {
       observer.disconnect();
       ends.forEach((end) => end());
@@ -34,7 +35,8 @@ export function PlanView({ children }: { children?: ComponentChildren }) {
 
   return (
     <div class="plan-view">
-      <canvas ref={canvas} aria-hidden="true" />
+      <canvas ref={still} aria-hidden="true" />
+      <canvas ref={live} aria-hidden="true" />
       <div
         ref={surface}
         class="view-surface"
@@ -48,23 +50,37 @@ export function PlanView({ children }: { children?: ComponentChildren }) {
 }
 
 /** Draws before the next picture of the screen whenever something that it shows has changed. */
-function paint(canvas: HTMLCanvasElement, size: { value: Screen }): () => void {
-  const pen = canvas.getContext('2d');
+function paint(still: HTMLCanvasElement, live: HTMLCanvasElement, size: { value: Screen }): () => void {
   let asked = 0;
+  let parts: unknown[] = [];
+  /** The plan as it was when the drag began: what does not move stays as it was painted then. */
+  let held: PlanScene['plan'] = null;
   const draw = () => {
     asked = 0;
-    if (!pen) return;
     const { width, height } = size.value;
     if (width < 2 || height < 2) return;
-    const ratio = devicePixelRatio;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     const scene = planScene({ width, height });
-    paintPlan(pen, scene);
+    held = scene.moves.size === 0 ? scene.plan : (held ?? scene.plan);
+    const now = stillParts({ ...scene, plan: held });
+    if (now.some((part, i) => part !== parts[i])) {
+      parts = now;
+      const pen = penOf(still, width, height);
+      if (pen) {
+        paintStill(pen, { ...scene, plan: held });
+        paintRulers(pen, scene);
+      }
+    }
+    const pen = penOf(live, width, height);
+    if (!pen) return;
+    pen.clearRect(0, 0, width, height);
+    pen.save();
+    pen.beginPath();
+    pen.rect(kRuler + 1, kRuler + 1, width, height);
+    pen.clip();
+    paintLive(pen, scene);
     paintOver(pen, scene);
+    pen.restore();
+    paintRulerCursor(pen, scene);
     noteEcho(performance.now());
   };
   const end = effect(() => {
@@ -77,6 +93,18 @@ function paint(canvas: HTMLCanvasElement, size: { value: Screen }): () => void {
   };
 }
 
+/** The pen of a canvas that has the size of its place on the page, in CSS pixels. */
+function penOf(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D | null {
+  const ratio = devicePixelRatio;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  const pen = canvas.getContext('2d');
+  pen?.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return pen;
+}
+
 /** Each project is shown whole when it comes, and when the plan's place on the page changes while nobody has moved it. */
 function fits(size: { value: Screen }): () => void {
   let fitted = '';
@@ -84,7 +112,7 @@ function fits(size: { value: Screen }): () => void {
   return effect(() => {
     const name = store.project.value?.name ?? '';
     const { width, height } = size.value;
-    const plan = store.plan.value;
+    const plan = store.livePlan.value;
     const untouched = store.planCamera.peek() === camera;
     const key = `${name} ${untouched ? `${width} ${height}` : ''}`;
     if (!plan || width < 2 || fitted === key || (!untouched && fitted.startsWith(`${name} `))) return;

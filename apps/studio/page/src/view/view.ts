@@ -18,15 +18,14 @@ export interface ViewQuality {
   antialias: boolean;
   sides: number;
   pixelRatio: number;
-  /** While things move; finer again a moment after they rest. */
-  hurriedRatio: number;
+  /** While things move only so large a part of the canvas is drawn, shown enlarged; all of it a moment after they rest. */
+  hurriedShare: number;
 }
 
 export function highQuality(): ViewQuality {
-  const pixelRatio = Math.min(devicePixelRatio, 2);
-  return { antialias: true, sides: 12, pixelRatio, hurriedRatio: pixelRatio };
+  return { antialias: true, sides: 12, pixelRatio: Math.min(devicePixelRatio, 2), hurriedShare: 1 };
 }
-export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1, hurriedRatio: 0.6 };
+export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1, hurriedShare: 0.6 };
 
 /** How long things have to rest before they are drawn finely, ms. */
 const kRestMs = 220;
@@ -68,6 +67,9 @@ export class View {
   private lost = false;
   private restTimer: ReturnType<typeof setTimeout> | undefined;
   private ratio: number;
+  /** Of the canvas that is drawn, in both directions; the canvas is enlarged by as much on the page. */
+  private share = 1;
+  private shownShare = 1;
   /** Signalled once the graphics card, or the processor in its place, has drawn the last picture. */
   private drawn: WebGLSync | null = null;
 
@@ -114,12 +116,11 @@ export class View {
 
   /** Things move now: pictures may be coarser until they rest. */
   hurry(): void {
-    const { pixelRatio, hurriedRatio } = this.quality;
-    if (hurriedRatio === pixelRatio) return;
-    this.ratio = hurriedRatio;
+    if (this.quality.hurriedShare === 1) return;
+    this.share = this.quality.hurriedShare;
     clearTimeout(this.restTimer);
     this.restTimer = setTimeout(() => {
-      this.ratio = pixelRatio;
+      this.share = 1;
       this.invalidate();
     }, kRestMs);
   }
@@ -197,6 +198,7 @@ export class View {
     const shown = this.grid.lines.visible;
     this.grid.lines.visible = shown && grid;
     this.ratio = ratio;
+    this.share = 1;
     this.draw();
     const copy = document.createElement('canvas');
     copy.width = this.canvas.width;
@@ -243,11 +245,21 @@ export class View {
     this.onDrawn();
   }
 
-  /** A canvas that gets another size is empty until it is drawn: only draw() may do that. */
+  /** A canvas that gets another size is empty until it is drawn (and getting it takes long): only draw() may do that. */
   private fitCanvas(): void {
     const { width, height } = this.screen;
-    if (this.canvas.width === Math.floor(width * this.ratio) && this.canvas.height === Math.floor(height * this.ratio)) return;
-    this.renderer.setPixelRatio(this.ratio);
-    this.renderer.setSize(width, height, false);
+    const [w, h] = [Math.floor(width * this.ratio), Math.floor(height * this.ratio)];
+    const { share, renderer, canvas } = this;
+    if (canvas.width !== w || canvas.height !== h) {
+      renderer.setPixelRatio(this.ratio);
+      renderer.setSize(width, height, false);
+    } else if (share === this.shownShare) {
+      return;
+    }
+    this.shownShare = share;
+    renderer.setViewport(0, 0, width * share, height * share);
+    renderer.setScissor(0, 0, width * share, height * share);
+    renderer.setScissorTest(share < 1);
+    canvas.style.transform = share < 1 ? `scale(${1 / share})` : '';
   }
 }

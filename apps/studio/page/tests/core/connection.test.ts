@@ -74,7 +74,8 @@ beforeEach(() => {
   wires = [];
   frames = [];
   store.connection.value = 'connecting';
-  store.topology.value = store.shape.value = store.plan.value = null;
+  store.topology.value = store.shape.value = store.plan.value = store.livePlan.value = null;
+  store.dragging.value = 0;
   store.fault.value = null;
 });
 afterEach(() => {
@@ -185,6 +186,29 @@ describe('connection', () => {
     other.rods[1].name = 'spine';
     wire.say({ ...other });
     expect(store.topology.value?.rods[1].plan_rod).toBe('spine');
+  });
+});
+
+describe('events of a drag', () => {
+  test('views follow each plan, panels a few a second, and the last one arrives', async () => {
+    const wire = await open();
+    store.dragging.value = 5;
+    for (let revision = 2; revision < 12; ++revision) wire.say({ ...plan(), revision });
+    expect(store.livePlan.value?.revision).toBe(11);
+    expect(store.plan.value?.revision ?? 0).toBeLessThan(11);
+    await vi.advanceTimersByTimeAsync(250);
+    expect(store.plan.value?.revision).toBe(11);
+    store.dragging.value = 0;
+    wire.say({ ...plan(), revision: 12 });
+    expect(store.plan.value?.revision).toBe(12);
+  });
+
+  test('what is only looked at has no plan', async () => {
+    const wire = await open();
+    wire.say({ ...plan() });
+    wire.say({ event: 'project', name: 'car', file: '', title: '', saved: true, kind: 'structure' });
+    expect(store.plan.value).toBeNull();
+    expect(store.livePlan.value).toBeNull();
   });
 });
 

@@ -61,8 +61,8 @@ describe('fabric', () => {
     expect(up[2]).toBeGreaterThan(0);
     expect(frame.extra[3 * 4]).toBeCloseTo(1);
     expect(frame.extra[3 * 4 + 1]).toBeCloseTo(1.25);
-    expect(frame.extra[3 * 0 + 1]).toBeCloseTo(1.25);
-    expect(frame.extra[3 * 1 + 1]).toBeCloseTo(1.15);
+    expect(frame.extra[1]).toBeCloseTo(1.25);
+    expect(frame.extra[4]).toBeCloseTo(1.15);
     frame.update(shape(5).positions, null);
     expect(frame.extra[3 * 4]).toBeCloseTo(Math.SQRT1_2, 5);
     expect(frame.extra[3 * 4 + 1]).toBe(0);
