@@ -4,7 +4,7 @@
 help:
 	@echo "lissom: design of flexible structures"
 	@echo ""
-	@echo "  make run     set up, build, solve the demo scenes, say where the results are"
+	@echo "  make run     set up, build, solve the demo scenes, then open the studio on the butterfly"
 	@echo "  make test    set up, build, run every test; ends with 'N passed, N failed'"
 	@echo "  make bench   set up, build, measure; writes build/bench.json and a table"
 	@echo "  make bench-inverse   the same for inverse design alone, beside optimisers of others"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What `make run` shows once the tool is built: a gridshell that rises, a hexagon sheet that hangs and a butterfly of rods on
 # stretched fabric that lifts its wings, solved, drawn and written for ParaView; then a sheet that is designed to bend and
-# stretch as four others do, with a report and a file for a printer. Results go to out/.
+# stretch as four others do, with a report and a file for a printer; last the studio, open on the butterfly, until Ctrl-C.
+# Results go to out/. Where nobody looks (no terminal, or CI is set) the studio is only shown to answer.
 set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
@@ -39,4 +40,10 @@ printf '%s\n' \
   ".3mf    what to print, in mm" \
   ".json   everything that was computed; 'lissom solve --resume' goes on from it, 'lissom draw' draws it" \
   "" \
-  "Next: 'build/release/lissom --help', docs/guide."
+  "Next: the studio, which opens now; 'build/release/lissom --help', docs/guide."
+
+printf '\n$ %s\n' "$lissom studio butterfly --folder out"
+if [ -t 0 ] && [ -t 1 ] && [ -z "${CI:-}" ]; then
+  exec "$lissom" studio butterfly --folder out
+fi
+python3 tools/check_studio.py "$lissom" studio butterfly --folder out

@@ -1,6 +1,6 @@
 #pragma once
 /// Who may talk to the studio's server: only browsers of whoever started it. Any page in any browser of this machine, and any
-/// program of any user, can reach a port on the loopback; docs/decisions/0017-studio-server.md says how they are told apart.
+/// program of any user, can reach a port on the loopback; docs/decisions/0018-studio-server.md says how they are told apart.
 
 #include <deque>
 #include <mutex>

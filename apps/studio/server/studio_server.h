@@ -1,6 +1,6 @@
 #pragma once
 /// The studio's server: the page over HTTP, the engine over a WebSocket, for browsers of this machine and of whoever started it.
-/// docs/studio/protocol.md is what page and engine say; docs/decisions/0017-studio-server.md is why it is built like this.
+/// docs/studio/protocol.md is what page and engine say; docs/decisions/0018-studio-server.md is why it is built like this.
 
 #include <chrono>
 #include <cstddef>
