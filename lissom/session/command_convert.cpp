@@ -4,64 +4,12 @@
 
 #include "lissom/core/file_io.h"
 #include "lissom/geometry/obj_lines.h"
-#include "lissom/model/document.h"
 #include "lissom/model/plan_dxf.h"
 #include "lissom/model/plan_svg.h"
-#include "lissom/session/fields.h"
 #include "lissom/session/output.h"
-#include "lissom/view/mesh_export.h"
-#include "lissom/view/vtk_export.h"
+#include "lissom/session/shape_files.h"
 
 namespace lissom {
-
-namespace {
-
-struct Request {
-  const Drawable& drawable;
-  const ConvertCommand& command;
-  const Drawing& drawing;
-};
-
-/// The lines of the plan, which has to be there.
-Result<PlanDrawing> plan_lines(const Request& r) {
-  const Model& model = r.drawable.document.model;
-  if (model.plan) return drawing_of_plan(*model.plan);
-  return Error{ErrorCode::kUnsupported, r.command.file.string(), "the document has no plan to draw",
-               "write .obj for rods in space, or use `lissom draw` for a picture"};
-}
-
-/// One line per kind of file.
-struct Writer {
-  std::string_view ending;
-  Result<std::string> (*bytes)(const Request&);
-};
-constexpr Writer kWriters[] = {
-    {".lissom",
-     [](const Request& r) -> Result<std::string> {
-       return write_document(r.drawable.document.model, NetworkText::kRods);
-     }},
-    {".obj",
-     [](const Request& r) {
-       return r.command.obj == ObjContent::kSurfaces ? obj_surfaces(r.drawing) : obj_centrelines(r.drawing);
-     }},
-    {".vtu", [](const Request& r) { return vtu_bytes(r.drawing); }},
-    {".vtp", [](const Request& r) { return vtp_bytes(r.drawing); }},
-    {".svg",
-     [](const Request& r) -> Result<std::string> {
-       const Result<PlanDrawing> lines = plan_lines(r);
-       if (!lines) return lines.error();
-       return write_svg_drawing(lines.value(), r.drawable.document.name);
-     }},
-    {".dxf",
-     [](const Request& r) -> Result<std::string> {
-       const Result<PlanDrawing> lines = plan_lines(r);
-       if (!lines) return lines.error();
-       return write_dxf_drawing(lines.value());
-     }},
-    {".ply", [](const Request& r) { return ply_surfaces(r.drawing, {.field = r.command.field}); }},
-};
-
-}  // namespace
 
 Result<Document> import_document(const std::filesystem::path& path, const NetworkOptions& options,
                                  std::vector<std::string>& notes) {
@@ -106,18 +54,14 @@ Result<Document> import_plan(const std::filesystem::path& path, const DrawingOpt
 }
 
 Status convert_command(const Drawable& drawable, const ConvertCommand& command) {
-  const std::string ending = command.file.extension().string();
-  for (const Writer& writer : kWriters) {
-    if (writer.ending != ending) continue;
-    const Result<Drawing> drawing = draw(drawable, Shape::kDeformed);
-    if (!drawing) return drawing.error();
-    Output output(command.file.parent_path());
-    return output.write(command.file.filename(), writer.bytes({drawable, command, drawing.value()}));
-  }
-  std::string known;
-  for (const Writer& writer : kWriters) known += (known.empty() ? "" : ", ") + std::string(writer.ending);
-  return Error{ErrorCode::kUnsupported, command.file.string(),
-               fmt::format("files ending in \"{}\" cannot be written", ending), "known: " + known};
+  const Result<Drawing> drawing = draw(drawable, Shape::kDeformed);
+  if (!drawing) return drawing.error();
+  const ShapeToWrite shape{drawable.document.model, drawable.document.name, drawing.value(), command.file.string(),
+                           command.field,           command.obj};
+  const Result<std::string> bytes = shape_file(command.file.extension().string(), shape);
+  if (!bytes) return bytes.error();
+  Output output(command.file.parent_path());
+  return output.write(command.file.filename(), bytes.value());
 }
 
 }  // namespace lissom

@@ -8,10 +8,9 @@
 #include "lissom/model/import_network.h"
 #include "lissom/model/plan_drawing.h"
 #include "lissom/session/drawable.h"
+#include "lissom/session/shape_files.h"
 
 namespace lissom {
-
-enum class ObjContent { kCentrelines, kSurfaces };
 
 struct ConvertCommand {
   ObjContent obj = ObjContent::kCentrelines;  ///< of an OBJ file that is written

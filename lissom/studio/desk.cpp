@@ -1,10 +1,12 @@
 #include "lissom/studio/desk.h"
 
+#include <fmt/format.h>
 #include <utility>
 
 #include "lissom/core/nearest_name.h"
 #include "lissom/editing/edits_json.h"
 #include "lissom/editing/plan_json.h"
+#include "lissom/equilibrium/solve.h"
 #include "lissom/session/result_file.h"
 #include "lissom/studio/event_json.h"
 #include "lissom/studio/kept_state.h"
@@ -48,8 +50,7 @@ void Desk::take_over(OpenProject project, const std::string& kept_state) {
     ++revision_;
     Result<System> system = make_system(*model_);
     if (!system) return fail(system.error());
-    State state = drawn_state(system.value());
-    shape_.look_at(*model_, std::move(system).value(), std::move(state));
+    shape_.look_at(*model_, std::move(system).value());
     return;
   }
   const std::optional<ShapeSnapshot> kept = read_kept_state(kept_state);
@@ -64,7 +65,9 @@ Json Desk::project_json() const {
                 {"file", project_->file},
                 {"title", model_->title},
                 {"saved", project_->history.saved()},
-                {"kind", has_plan() ? "plan" : "structure"}};
+                {"kind", has_plan() ? "plan" : "structure"},
+                {"poses", Json::array()}};
+  for (const Pose& pose : model_->poses) event["poses"].push_back(pose.name);
   return event;
 }
 
@@ -254,6 +257,31 @@ Result<Json> Desk::settle(bool from_flat) {
   if (!s) return s.error();
   keep_shape();
   return Json::object();
+}
+
+Status Desk::look(int pose) {
+  if (has_plan())
+    return Error{ErrorCode::kUnsupported, {}, "a plan is shown as it settles", "edit it, or settle it anew"};
+  if (pose >= static_cast<int>(model_->poses.size())) {
+    return Error{ErrorCode::kUnknown, "/pose", fmt::format("there is no pose {}", pose), "choose one of the poses"};
+  }
+  jobs_.cancel({});
+  Result<System> made = make_system(*model_);
+  if (!made) return made.error();
+  if (pose < 0) return shape_.look_at(*model_, std::move(made).value()), Status();
+  const auto system = std::make_shared<System>(std::move(made).value());
+  jobs_.start("settle", "N", [this, system, pose, model = model_, revision = revision_](const Context& context) {
+    const Pose& own = model->poses[static_cast<std::size_t>(pose)];
+    const Result<StaticProblem> problem = make_static_problem(*model, *system, own, fmt::format("/poses/{}", pose));
+    if (!problem) return Jobs::End{Jobs::End::State::kFailed, problem.error().text(), {}};
+    const auto found =
+        std::make_shared<Equilibrium>(solve(problem.value(), start_state(problem.value(), own), 1, {}, context));
+    const auto state = found->verdict == Verdict::kCancelled ? Jobs::End::State::kCancelled : Jobs::End::State::kDone;
+    return Jobs::End{state, found->message, [this, system, found, pose, model, revision] {
+                       if (revision == revision_) shape_.look_at(*model, std::move(*system), *found, pose);
+                     }};
+  });
+  return {};
 }
 
 Status Desk::flip(const State& state) {

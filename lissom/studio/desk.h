@@ -57,6 +57,8 @@ class Desk {
   enum class Following { kRunning, kHeld };
   void set_following(Following following);
   Result<nlohmann::json> settle(bool from_flat);
+  /// Of a structure that is only looked at: as drawn (negative), or in a pose, by the job `settle`.
+  Status look(int pose);
   /// The structure flips to another shape of the same design.
   Status flip(const State& state);
 

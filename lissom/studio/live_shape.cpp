@@ -106,9 +106,24 @@ Status LiveShape::stand(const Model& model, const ShapeSnapshot& kept, const Occ
   return {};
 }
 
-void LiveShape::look_at(const Model& model, System system, State state) {
+void LiveShape::look_at(const Model& model, System system) {
+  State state = drawn_state(system);
+  look({model, std::move(system), std::move(state), 0});
+}
+
+void LiveShape::look_at(const Model& model, System system, const Equilibrium& equilibrium, int pose) {
+  const double share = stretch_share(model.poses[static_cast<std::size_t>(pose)], equilibrium.state.load_factor);
+  look({model, std::move(system), equilibrium.state, share});
+  verdict_ = verdict_event(equilibrium, {});
+  measures_ = measures_event(looked_->system, looked_->state, equilibrium.energy, share);
+  warnings_ = lissom::warnings(looked_->system, looked_->state, share);
+  warnings_event_ = warnings_event(warnings_, std::vector<bool>(warnings_.size(), false));
+  for (const Json* event : {&verdict_, &measures_, &warnings_event_}) pages_.tell_all(*event);
+}
+
+void LiveShape::look(Looked looked) {
   forget();
-  looked_ = std::make_unique<Looked>(Looked{model, std::move(system), std::move(state)});
+  looked_ = std::make_unique<Looked>(std::move(looked));
   parts_ = no_plan_parts(looked_->system);
   topology_pack_ = topology_pack({{"topology", ++topology_}, {"plan_revision", 0}}, looked_->system, parts_);
   show_settled();
@@ -187,7 +202,7 @@ void LiveShape::show_settled() {
   if (looked_) {
     shape_pack_ =
         shape_pack({{"topology", topology_}, {"residual_n", 0}, {"settled", true}, {"drag", 0}, {"plan_revision", 0}},
-                   {looked_->model, looked_->system, looked_->state}, fields_);
+                   {looked_->model, looked_->system, looked_->state, nullptr, looked_->share}, fields_);
   } else if (design_) {
     const Equilibrium& equilibrium = design_->equilibrium();
     shape_pack_ = shape_of(*design_, shown_, equilibrium.residual, is_shape(equilibrium.verdict));

@@ -41,8 +41,9 @@ class LiveShape {
   Status follow(const Model& model, const Occasion& occasion);
   /// Stands at a shape that was kept, of this plan.
   Status stand(const Model& model, const ShapeSnapshot& kept, const Occasion& occasion);
-  /// Shows a structure that is not edited, in a state of it.
-  void look_at(const Model& model, System system, State state);
+  /// Shows a structure that is not edited: as it is drawn, or in an equilibrium of a pose.
+  void look_at(const Model& model, System system);
+  void look_at(const Model& model, System system, const Equilibrium& equilibrium, int pose);
   /// There is nothing to show.
   void forget();
 
@@ -98,7 +99,9 @@ class LiveShape {
     Model model;
     System system;
     State state;
+    double share = 0;  ///< part of the pre-stretch that is there
   };
+  void look(Looked looked);
   std::unique_ptr<Looked> looked_;
 
   Pack topology_pack_, shape_pack_;

@@ -27,6 +27,7 @@ Answer answer_recover(Desk& desk, int page, Ask& ask);
 
 // requests_shape.cpp
 Answer answer_settle(Desk& desk, int page, Ask& ask);
+Answer answer_look(Desk& desk, int page, Ask& ask);
 Answer answer_hold(Desk& desk, int page, Ask& ask);
 Answer answer_run(Desk& desk, int page, Ask& ask);
 Answer answer_fields(Desk& desk, int page, Ask& ask);

@@ -32,6 +32,7 @@ constexpr RequestInfo kRequests[] = {
     {"save", answer_save, Needs::kDocument},
     {"recover", answer_recover, Needs::kNothing},
     {"settle", answer_settle},
+    {"look", answer_look, Needs::kDocument},
     {"hold", answer_hold},
     {"run", answer_run},
     {"fields", answer_fields, Needs::kNothing},

@@ -19,6 +19,14 @@ Answer answer_settle(Desk& desk, int page, Ask& ask) {
   return desk.settle(from == "flat");
 }
 
+Answer answer_look(Desk& desk, int page, Ask& ask) {
+  (void)page;
+  const int pose = ask.has("pose") ? ask.integer("pose", 0) : -1;
+  if (!ask.status()) return ask.status().error();
+  if (Status s = desk.look(pose); !s) return s.error();
+  return Json::object();
+}
+
 Answer answer_hold(Desk& desk, int page, Ask& ask) {
   (void)page, (void)ask;
   desk.set_following(Desk::Following::kHeld);
