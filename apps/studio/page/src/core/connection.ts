@@ -2,6 +2,7 @@
 // anew and the engine resends its whole state. What was under way is given up: its promises answer with code "lost".
 
 import { applyEvent, applyPack } from './apply';
+import { note } from './latency';
 import { decodePack } from './packs';
 import type { Answer, Edit, EngineEvent, Hello, Pack, Request } from './protocol';
 import { connection, dragging, fault, hello } from './store';
@@ -111,7 +112,11 @@ export class Connection {
     this.scheduled = false;
     const packs = [...this.newest.values()];
     this.newest.clear();
-    packs.forEach(applyPack);
+    for (const pack of packs) {
+      const start = performance.now();
+      applyPack(pack);
+      note('apply', performance.now() - start);
+    }
   }
 
   private lost(): void {

@@ -5,7 +5,6 @@ import { send } from './connection';
 import { restPose } from './gizmo';
 import { noteHandleMove } from './latency';
 import type { HandleAnswer, HandleMove, Vec3 } from './protocol';
-import { isEmpty } from './selection';
 import * as store from './store';
 
 let flying = false;
@@ -19,13 +18,14 @@ export async function beginHandle(): Promise<void> {
   next = null;
   store.handlePose.value = restPose;
   store.preview.value = null;
-  if (isEmpty(selection) || selection.points.size + selection.nodes.size === 0) {
+  if (selection.points.size + selection.nodes.size === 0) {
     store.handleCenter.value = null;
-    if (store.handle.peek()?.active) void send({ do: 'handle_cancel' });
+    if (store.handle.peek()?.active) void send({ do: 'handle_cancel' }, true);
     return;
   }
   const part = selection.nodes.size > 0 ? { nodes: [...selection.nodes] } : { points: [...selection.points] };
-  const answer = await send({ do: 'handle_begin', ...part, radius_mm: store.softRadius.peek() });
+  // Where nothing can be held yet (the shape has not settled) the selection waits for it without a word.
+  const answer = await send({ do: 'handle_begin', ...part, radius_mm: store.softRadius.peek() }, true);
   if (mine !== beginning) return;
   store.handleCenter.value = answer.ok ? (answer as unknown as HandleAnswer).center_mm : null;
 }

@@ -17,7 +17,7 @@ export function setCamera(camera: Camera): void {
   store.camera.value = camera;
 }
 
-export function easeTo(camera: Camera): void {
+export function easeTo(camera: Camera, milliseconds = kEaseMs): void {
   cancelAnimationFrame(running);
   if (store.reducedMotion.peek()) {
     setCamera(camera);
@@ -26,7 +26,7 @@ export function easeTo(camera: Camera): void {
   const from = store.camera.peek();
   const start = performance.now();
   const step = (now: number) => {
-    const t = Math.max(0, now - start) / kEaseMs;
+    const t = Math.max(0, now - start) / milliseconds;
     store.camera.value = eased(from, camera, t);
     running = t < 1 ? requestAnimationFrame(step) : 0;
   };
@@ -49,9 +49,17 @@ export function fitSelection(): void {
   easeTo(fit(store.camera.peek(), selectedPlaces() ?? everything()));
 }
 
-/** The whole shape at once, without a motion: for the first picture. */
+/** How far, and how long, a shape turns that is shown for the first time: so that people see that it is one in space. */
+const kOpeningTurn = 0.4;
+const kOpeningMs = 900;
+
+/** The whole shape, turning a little; at once where motion is unwanted or nothing but the processor draws. */
 export function frameShape(): void {
-  setCamera(fit(named(store.camera.peek(), 'home'), everything()));
+  const home = fit(named(store.camera.peek(), 'home'), everything());
+  setCamera(home);
+  if (store.reducedMotion.peek() || store.softwareRenderer.peek()) return;
+  setCamera({ ...home, yaw: home.yaw + kOpeningTurn });
+  easeTo(home, kOpeningMs);
 }
 
 export function setPivot(at: Vec3): void {

@@ -119,8 +119,13 @@ export function listenPlan(element: HTMLElement, size: () => Screen): () => void
     now.start?.();
     element.classList.toggle('crosshair', now.draws === true);
   });
+  // A drag that the engine does not hear of any more is given up.
+  const lost = effect(() => {
+    if (store.connection.value === 'lost') toolOf(store.activeTool.peek()).stop?.();
+  });
   return () => {
     follow();
+    lost();
     end.abort();
   };
 }
