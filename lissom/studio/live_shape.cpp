@@ -138,6 +138,7 @@ void LiveShape::forget() {
   mesh_of_.reset();
   topology_pack_.reset();
   shape_pack_.reset();
+  flat_pack_.reset();
   verdict_ = measures_ = warnings_event_ = nullptr;
   warnings_.clear();
   pinned_places_.clear();
@@ -155,6 +156,12 @@ void LiveShape::announce(const LiveDesign& design) {
   topology_pack_ =
       topology_pack({{"topology", ++topology_}, {"plan_revision", occasion_.revision}}, design.system(), parts_);
   pages_.show_all(topology_pack_, StudioMessage::Lane::kOrdered);
+  show_flat(design);
+}
+
+void LiveShape::show_flat(const LiveDesign& design) {
+  flat_pack_ = places_pack({{"pack", "flat"}, {"topology", topology_}}, design.system(), drawn_state(design.system()), {});
+  pages_.show_all(flat_pack_, StudioMessage::Lane::kOrdered);
 }
 
 Pack LiveShape::shape_of(const LiveDesign& design, const State& state, double residual, bool settled) const {
@@ -222,6 +229,7 @@ void LiveShape::judge(const LiveDesign& design, std::string note, bool new_mesh)
     show_settled();
     pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
   }
+  if (occasion_.drag == 0 && !new_mesh) show_flat(design);
   verdict_ = verdict_event(equilibrium, story);
   pages_.tell_all(verdict_);
   const double share = share_of(design, equilibrium.state);
@@ -246,6 +254,7 @@ void LiveShape::show_fields(const ShownFields& fields) {
 
 void LiveShape::greet(int page) const {
   if (topology_pack_) pages_.show(page, topology_pack_, StudioMessage::Lane::kOrdered);
+  if (flat_pack_) pages_.show(page, flat_pack_, StudioMessage::Lane::kOrdered);
   if (shape_pack_) pages_.show(page, shape_pack_, StudioMessage::Lane::kShape);
   for (const Json* event : {&verdict_, &measures_, &warnings_event_}) {
     if (!event->is_null()) pages_.tell(page, *event);

@@ -80,6 +80,7 @@ class LiveShape {
   /// Points that were pinned since stay where they are now; others are forgotten.
   void renew_pins(const LiveDesign& design);
   void show_settled();
+  void show_flat(const LiveDesign& design);
 
   const Pages& pages_;
   ThreadPool* threads_;
@@ -104,7 +105,7 @@ class LiveShape {
   void look(Looked looked);
   std::unique_ptr<Looked> looked_;
 
-  Pack topology_pack_, shape_pack_;
+  Pack topology_pack_, shape_pack_, flat_pack_;
   nlohmann::json verdict_, measures_, warnings_event_;
   std::vector<Warning> warnings_;
 };
