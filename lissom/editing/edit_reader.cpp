@@ -7,6 +7,7 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/editing/people_units.h"
 #include "lissom/model/json_value.h"
+#include "lissom/model/limits.h"
 
 namespace lissom {
 
@@ -156,7 +157,8 @@ double EditReader::finite(const Json& value, const std::string& where) {
 double EditReader::metres(const Json& value, const std::string& where) {
   const double mm = finite(value, where);
   if (failed()) return 0;
-  if (const std::optional<double> m = metres_of(mm)) return *m;
+  const std::optional<double> m = metres_of(mm);
+  if (m && std::abs(*m) <= kLargest) return *m;
   fail_at(ErrorCode::kRange, where, "this length is too small or too large", "it is taken as mm");
   return 0;
 }

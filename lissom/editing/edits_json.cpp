@@ -64,7 +64,7 @@ Result<EditOutcome> apply_edit(const Model& model, const nlohmann::json& edit) {
     keep_symmetry(*model.plan, *outcome.value().model.plan, *mirror);
   }
   if (Status s = check_plan(outcome.value().model); !s) return s.error();
-  keep_references(*model.plan, outcome.value());
+  keep_references(model, outcome.value());
   if (Status s = outcome.value().model.validate(); !s) return s.error();
   return outcome;
 }

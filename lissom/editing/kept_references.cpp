@@ -2,31 +2,20 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
-#include <set>
+#include <map>
 
-#include "lissom/editing/rod_heirs.h"
+#include "lissom/editing/name_keeper.h"
 #include "lissom/editing/tool_constraints.h"
 
 namespace lissom {
 
 namespace {
 
-/// What became of a selection.
-enum class Kept {
-  kWhole,  ///< it selects what it did
-  kPart,   ///< some of it is gone
-  kNone,
-};
-
 /// Rewrites names in a model after an edit of its plan.
 class Keeper {
  public:
   Keeper(const Plan& before, EditOutcome& outcome)
-      : model_(outcome.model), names_(outcome.names), heirs_(before, *model_.plan, names_.points, names_.rods) {
-    for (const PlanPoint& point : before.points) points_before_.insert(point.name);
-    for (const PlanPoint& point : model_.plan->points) points_.insert(point.name);
-  }
+      : model_(outcome.model), names_(before, outcome.model, outcome.names) {}
 
   void run() {
     outline();
@@ -52,141 +41,71 @@ class Keeper {
   }
 
  private:
-  /// The name that a point has now; empty when it is gone.
-  std::string point(const std::string& name) const {
-    const auto changed = names_.points.find(name);
-    const std::string& now = changed == names_.points.end() ? name : changed->second;
-    return points_.contains(now) ? now : std::string();
-  }
-
-  Kept keep(Selector& selector) {
-    switch (selector.kind) {
-      case Selector::Kind::kPlanPoint: {
-        if (!points_before_.contains(selector.name)) return Kept::kWhole;
-        selector.name = point(selector.name);
-        return selector.name.empty() ? Kept::kNone : Kept::kWhole;
-      }
-      case Selector::Kind::kSet:
-        return lost_sets_.contains(selector.name) ? Kept::kNone : Kept::kWhole;
-      case Selector::Kind::kRod:
-        return keep_rod(selector);
-      case Selector::Kind::kUnion:
-        return keep_union(selector);
-      default:
-        return Kept::kWhole;
-    }
-  }
-
-  Kept keep_rod(Selector& selector) const {
-    if (!heirs_.known(selector.name)) return Kept::kWhole;
-    if (selector.fraction >= 0) {
-      const PlaceOnRod place = heirs_.of(PlaceOnRod{selector.name, selector.fraction});
-      selector.name = place.rod;
-      selector.fraction = place.fraction;
-      return place.rod.empty() ? Kept::kNone : Kept::kWhole;
-    }
-    const std::vector<std::string> rods = heirs_.of(selector.name);
-    if (rods.empty()) return Kept::kNone;
-    if (rods.size() == 1) {
-      selector.name = rods[0];
-      return Kept::kWhole;
-    }
-    Selector all;
-    all.kind = Selector::Kind::kUnion;
-    for (const std::string& rod : rods) all.parts.push_back(selector), all.parts.back().name = rod;
-    selector = std::move(all);
-    return Kept::kWhole;
-  }
-
-  Kept keep_union(Selector& selector) {
-    Kept all = Kept::kWhole;
-    std::vector<Selector> parts;
-    for (Selector& part : selector.parts) {
-      const Kept own = keep(part);
-      if (own != Kept::kWhole) all = Kept::kPart;
-      if (own == Kept::kNone) continue;
-      const auto same = [&](const Selector& other) {
-        return part.kind == Selector::Kind::kPlanPoint && other.kind == part.kind && other.name == part.name;
-      };
-      if (std::none_of(parts.begin(), parts.end(), same)) parts.push_back(std::move(part));
-    }
-    selector.parts = std::move(parts);
-    return selector.parts.empty() ? Kept::kNone : all;
-  }
-
   bool lose(const std::string& what) {
     ++gone_[what];
     return true;
   }
-  bool gone(Selector& selector, const std::string& what) { return keep(selector) == Kept::kNone && lose(what); }
+  bool gone(Selector& selector, const std::string& what) { return names_.keep(selector) == Kept::kNone && lose(what); }
   /// Of what needs every node that it names.
-  bool incomplete(Selector& selector, const std::string& what) { return keep(selector) != Kept::kWhole && lose(what); }
-  /// A list of rods where an empty one would mean all.
+  bool incomplete(Selector& selector, const std::string& what) {
+    return names_.keep(selector) != Kept::kWhole && lose(what);
+  }
+  /// A list where an empty one would mean all.
+  bool none_left(std::vector<std::string>& names, std::vector<std::string> now, const std::string& what) {
+    const bool had = !names.empty();
+    names = std::move(now);
+    return had && names.empty() && lose(what);
+  }
   bool gone(std::vector<std::string>& rods, const std::string& what) {
-    if (rods.empty()) return false;
-    std::vector<std::string> now;
-    for (const std::string& rod : rods) {
-      const std::vector<std::string> own = heirs_.known(rod) ? heirs_.of(rod) : std::vector<std::string>{rod};
-      for (const std::string& name : own) {
-        if (std::find(now.begin(), now.end(), name) == now.end()) now.push_back(name);
-      }
-    }
-    rods = std::move(now);
-    return rods.empty() && lose(what);
+    return none_left(rods, names_.keep_rods(rods), what);
   }
 
   void outline() {
-    std::vector<std::string>& rods = model_.plan->fabric.outline;
     std::vector<std::string> now;
-    for (const std::string& rod : rods) {
-      for (std::string& name : heirs_.of_plan_rod(rod)) now.push_back(std::move(name));
+    for (const std::string& rod : model_.plan->fabric.outline) {
+      for (std::string& name : names_.heirs().of_plan_rod(rod)) now.push_back(std::move(name));
     }
-    if (now.empty() && !rods.empty()) lose("the outline of the fabric, which is found now");
-    rods = std::move(now);
+    none_left(model_.plan->fabric.outline, std::move(now), "the outline of the fabric, which is found now");
   }
 
   void sets() {
-    const ToolConstraints tools = constraints_of(model_);
-    std::set<std::string> before;
-    for (const NamedSet& set : model_.sets) before.insert(set.name);
-    if (!tools.none()) set_tools(tools);
-    bool again = true;
-    while (again) {
-      again = false;
-      std::erase_if(model_.sets, [&](NamedSet& set) {
-        if (lost_sets_.contains(set.name) || keep(set.nodes) != Kept::kNone) return false;
-        lost_sets_.insert(set.name);
-        return again = lose("set " + set.name);
+    keep_tools();
+    const auto drop_sets = [&](const auto& keep) {
+      return std::erase_if(model_.sets, [&](NamedSet& set) {
+        if (keep(set.nodes) != Kept::kNone) return false;
+        names_.lose_set(set.name);
+        return lose("set " + set.name);
       });
-    }
+    };
+    drop_sets([&](Selector& nodes) { return names_.keep(nodes); });
+    while (drop_sets([&](Selector& nodes) { return names_.keep_sets(nodes); }) > 0) continue;
   }
 
   /// The studio's own sets, which need all their points.
-  void set_tools(const ToolConstraints& tools) {
+  void keep_tools() {
+    const ToolConstraints before = constraints_of(model_);
+    if (before.none()) return;
     ToolConstraints now;
-    now.symmetric = tools.symmetric;
-    const auto add = [&](std::vector<std::string>& to, const std::string& name) {
-      const std::string here = points_before_.contains(name) ? point(name) : name;
-      if (!here.empty() && std::find(to.begin(), to.end(), here) == to.end()) to.push_back(here);
-    };
-    for (const std::string& name : tools.pinned) add(now.pinned, name);
-    for (const auto& pair : tools.attached) {
-      std::vector<std::string> both;
-      for (const std::string& name : pair) add(both, name);
+    now.symmetric = before.symmetric;
+    now.pinned = names_.keep_points(before.pinned);
+    for (const auto& [a, b] : before.attached) {
+      const std::vector<std::string> both = names_.keep_points({a, b});
       if (both.size() == 2) now.attached.push_back({both[0], both[1]});
     }
-    for (const std::vector<std::string>& group : tools.in_plane) {
-      std::vector<std::string> all;
-      for (const std::string& name : group) add(all, name);
+    for (const std::vector<std::string>& group : before.in_plane) {
+      std::vector<std::string> all = names_.keep_points(group);
       if (all.size() >= 3) now.in_plane.push_back(std::move(all));
     }
-    std::set<std::string> there;
-    for (const NamedSet& set : model_.sets) there.insert(set.name);
+    const std::vector<NamedSet> sets = model_.sets;
     Result<Model> changed = with_constraints(std::move(model_), now);
-    LISSOM_ASSERT(changed.ok());  // these sets are ours, and fewer than before
+    LISSOM_ASSERT(changed.ok());  // these sets are ours, and no more than before
     model_ = std::move(changed).value();
-    for (const NamedSet& set : model_.sets) there.erase(set.name);
-    for (const std::string& name : there) lost_sets_.insert(name), lose("set " + name);
+    for (const NamedSet& set : sets) {
+      const auto same = [&](const NamedSet& other) { return other.name == set.name; };
+      if (std::any_of(model_.sets.begin(), model_.sets.end(), same)) continue;
+      names_.lose_set(set.name);
+      lose("set " + set.name);
+    }
   }
 
   /// Drops what is gone and notes how the rest is numbered then; -1 for what is gone.
@@ -219,7 +138,8 @@ class Keeper {
   bool parameter(ParameterBrief& brief) {
     if (auto* length = std::get_if<LengthBrief>(&brief.what)) return gone(length->rods, "parameter");
     if (auto* natural = std::get_if<NaturalBrief>(&brief.what)) return gone(natural->rods, "parameter");
-    if (auto* plan = std::get_if<PlanBrief>(&brief.what)) return points_gone(plan->points);
+    if (auto* plan = std::get_if<PlanBrief>(&brief.what))
+      return none_left(plan->points, names_.keep_points(plan->points), "parameter");
     auto* load = std::get_if<LoadBrief>(&brief.what);
     if (load == nullptr || model_.poses.empty()) return false;
     const auto pose = numbers_.find(load->pose.empty() ? model_.poses[0].name : load->pose);
@@ -228,17 +148,6 @@ class Keeper {
     if (load->number < 0 || static_cast<std::size_t>(load->number) >= numbers.size()) return false;
     load->number = numbers[static_cast<std::size_t>(load->number)];
     return load->number < 0 && lose("parameter");
-  }
-
-  bool points_gone(std::vector<std::string>& names) {
-    if (names.empty()) return false;
-    std::vector<std::string> now;
-    for (const std::string& name : names) {
-      std::string here = point(name);
-      if (!here.empty() && std::find(now.begin(), now.end(), here) == now.end()) now.push_back(std::move(here));
-    }
-    names = std::move(now);
-    return names.empty() && lose("parameter");
   }
 
   bool goal(GoalBrief& brief) {
@@ -250,8 +159,8 @@ class Keeper {
     auto* angle = std::get_if<AngleGoal>(&brief.what);
     if (angle == nullptr) return false;
     bool lost = false;
-    for (Selector& end : angle->from) lost = keep(end) != Kept::kWhole || lost;
-    for (Selector& end : angle->to) lost = keep(end) != Kept::kWhole || lost;
+    for (Selector& end : angle->from) lost = names_.keep(end) != Kept::kWhole || lost;
+    for (Selector& end : angle->to) lost = names_.keep(end) != Kept::kWhole || lost;
     return lost && lose("goal");
   }
 
@@ -276,8 +185,8 @@ class Keeper {
     lost += std::erase_if(brief.measurements, [&](MeasurementBrief& one) {
       auto* pairs = std::get_if<ForceLengthBrief>(&one);
       if (pairs == nullptr) return false;
-      const bool from = pairs->from && keep(*pairs->from) != Kept::kWhole;
-      return (keep(pairs->to) != Kept::kWhole || from) && lose("measurement");
+      const bool from = pairs->from && names_.keep(*pairs->from) != Kept::kWhole;
+      return (names_.keep(pairs->to) != Kept::kWhole || from) && lose("measurement");
     });
     if (lost == 0 || (!brief.parameters.empty() && !brief.measurements.empty())) return;
     model_.calibration.reset();
@@ -287,14 +196,14 @@ class Keeper {
   bool expectation(Expectation& one) {
     const std::string what = "expected number";
     if (incomplete(one.at, what) || (one.to && incomplete(*one.to, what))) return true;
-    if (one.rod.empty() || !heirs_.known(one.rod)) return false;
+    if (one.rod.empty() || !names_.heirs().known(one.rod)) return false;
     if (one.fraction >= 0) {
-      const PlaceOnRod place = heirs_.of(PlaceOnRod{one.rod, one.fraction});
+      const PlaceOnRod place = names_.heirs().of(PlaceOnRod{one.rod, one.fraction});
       one.rod = place.rod;
       one.fraction = place.fraction;
       return one.rod.empty() && lose(what);
     }
-    const std::vector<std::string> rods = heirs_.of(one.rod);
+    const std::vector<std::string> rods = names_.heirs().of(one.rod);
     if (rods.size() == 1) one.rod = rods[0];
     return rods.size() != 1 && lose(what);
   }
@@ -302,17 +211,32 @@ class Keeper {
   using Numbers = std::map<LoadBrief::Kind, std::vector<int>>;
 
   Model& model_;
-  const NameChanges& names_;
-  RodHeirs heirs_;
-  std::set<std::string> points_before_, points_, lost_sets_;
+  NameKeeper names_;
   std::map<std::string, Numbers> numbers_;  ///< by pose: how what is left of its lists is numbered
   std::map<std::string, int> gone_;
 };
 
+/// Whether all that documents can name is there as before.
+bool same_names(const Model& before, const EditOutcome& outcome) {
+  const Model& after = outcome.model;
+  const auto equal = [](const auto& a, const auto& b, const auto& same) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+  };
+  const auto same_point = [](const PlanPoint& a, const PlanPoint& b) { return a.name == b.name && a.split == b.split; };
+  const auto same_rod = [](const PlanRod& a, const PlanRod& b) {
+    return a.name == b.name && a.points == b.points && a.role == b.role && a.closed == b.closed;
+  };
+  const auto same_set = [](const NamedSet& a, const NamedSet& b) { return a.name == b.name; };
+  return outcome.names.points.empty() && outcome.names.rods.empty() &&
+         equal(before.plan->points, after.plan->points, same_point) &&
+         equal(before.plan->rods, after.plan->rods, same_rod) && equal(before.sets, after.sets, same_set);
+}
+
 }  // namespace
 
-void keep_references(const Plan& before, EditOutcome& outcome) {
-  Keeper keeper(before, outcome);
+void keep_references(const Model& before, EditOutcome& outcome) {
+  if (same_names(before, outcome)) return;
+  Keeper keeper(*before.plan, outcome);
   keeper.run();
   if (std::string note = keeper.note(); !note.empty()) outcome.notes.push_back(std::move(note));
 }

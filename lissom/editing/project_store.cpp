@@ -130,6 +130,8 @@ Result<OpenProject> ProjectStore::open_template(const std::string& name) const {
 }
 
 Status ProjectStore::check_target(const OpenProject& project, const std::string& target, Replace replace) const {
+  if (Status s = check_document_name(target); !s) return s;
+  if (const Result<fs::path> path = path_below(folder_, target); !path) return path.error();
   if (replace == Replace::kAny) return {};
   const Result<std::string> there = read_file_below(folder_, target, kLargestDocument);
   if (!there) return {};
@@ -165,7 +167,6 @@ Status ProjectStore::save(OpenProject& project, const std::string& file, Replace
   std::string target = file.empty() ? project.file : file;
   if (target.empty()) return Error{ErrorCode::kFile, {}, "the project has no name yet", "give it one"};
   if (!path_of(target).has_extension()) target += kDocumentEnding;
-  if (Status s = check_document_name(target); !s) return s;
   if (Status s = check_target(project, target, replace); !s) return s;
   const std::string& text = project.history.text();
   if (const Result<Model> again = read_model(target, text); !again) return again.error();

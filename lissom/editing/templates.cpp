@@ -132,7 +132,7 @@ Model flower() {
 }
 
 Model ring_with_hole() {
-  Sketch sketch("Ring");
+  Sketch sketch("Ring with a hole");
   const std::vector<int> rim = sketch.circle("rim", 75, 8), hole = sketch.circle("hole", 32, 8);
   sketch.ring("rim", rim);
   sketch.ring("hole", hole);
