@@ -105,8 +105,10 @@ void serve(StudioServer& server) {
   if (listens) print("  Enter: another address, for another browser. Ctrl-C: end.\n");
   std::fflush(stdout);
   while (!interrupted()) {
+    // In the background of a shell, reading would stop the program.
+    const bool in_front = listens && ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
     pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&input, listens ? 1 : 0, kWaitMilliseconds) <= 0) continue;
+    if (::poll(&input, in_front ? 1 : 0, kWaitMilliseconds) <= 0) continue;
     char typed[256];
     listens = ::read(STDIN_FILENO, typed, sizeof typed) > 0;
     if (listens) print_address(server);
