@@ -54,7 +54,7 @@ export interface VerdictEvent {
   lowest_mode_n_per_m: number | null;
   negative_modes: number;
   energy_mj: number;
-  shown: 'settled' | 'last good' | 'flat';
+  shown: 'settled' | 'last good' | 'unsettled';
   note: string;
   worst: Worst[];
   remedy?: { text: string; edit: Edit };

@@ -89,7 +89,7 @@ function paintFabric(pen: Pen, { topology, pixel, palette, plan }: PlanScene): v
     loop.forEach((node, i) => (i === 0 ? pen.moveTo(...at(node)) : pen.lineTo(...at(node))));
     pen.closePath();
   }
-  pen.fillStyle = rgba(palette.fabric, 0.75);
+  pen.fillStyle = rgba(palette.fabric, 0.6);
   pen.fill('evenodd');
   pen.strokeStyle = rgba(palette.inkSoft, 0.5);
   pen.lineWidth = 1;

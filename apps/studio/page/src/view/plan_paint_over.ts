@@ -112,7 +112,10 @@ export function paintRulers(pen: Pen, { camera, size, palette }: PlanScene): voi
     pen.restore();
   }
   pen.stroke();
-  pen.fillText('mm', 3, 5);
+  pen.fillStyle = css(palette.ground);
+  pen.fillRect(0, 0, kRuler, kRuler);
+  pen.fillStyle = css(palette.inkSoft);
+  pen.fillText('mm', 2, 5);
 }
 
 /** Where the pointer is, on both rulers. */
