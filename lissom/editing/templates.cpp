@@ -69,27 +69,39 @@ class Sketch {
 Model disc() {
   Sketch sketch("Disc");
   sketch.ring("rim", sketch.circle("rim", 60, 8));
+  sketch.thicken(1.15);
   return sketch.done();
 }
 
-/// Corners and the middles of the sides: mm, half of the extents.
-Model frame(const char* title, double x, double y) {
+/// A frame of straight sides between corners, which are rods of their own: a rod that turned by a right angle from edge to
+/// edge would be bent wrongly there. mm, anticlockwise.
+void add_frame(Sketch& sketch, const std::vector<Vec2>& corners) {
+  std::vector<int> points;
+  for (const Vec2& corner : corners) {
+    points.push_back(sketch.point(fmt::format("corner{}", points.size() + 1), corner.x(), corner.y()));
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t next = (k + 1) % corners.size();
+    const Vec2 middle = (corners[k] + corners[next]) / 2;
+    const int half = sketch.point(fmt::format("side{}", k + 1), middle.x(), middle.y());
+    sketch.rod(fmt::format("side{}", k + 1), {points[k], half, points[next]});
+  }
+}
+
+Model rectangle_of(const char* title, double x, double y, double thicker) {
   Sketch sketch(title);
-  const int sw = sketch.point("south-west", -x, -y), s = sketch.point("south", 0, -y),
-            se = sketch.point("south-east", x, -y), e = sketch.point("east", x, 0),
-            ne = sketch.point("north-east", x, y), n = sketch.point("north", 0, y),
-            nw = sketch.point("north-west", -x, y), w = sketch.point("west", -x, 0);
-  sketch.ring("frame", {sw, s, se, e, ne, n, nw, w}, PlanCurve::kStraight);
+  add_frame(sketch, {{-x, -y}, {x, -y}, {x, y}, {-x, y}});
+  sketch.thicken(thicker);
   return sketch.done();
 }
 
-Model square() { return frame("Square", 60, 60); }
-Model rectangle() { return frame("Rectangle", 85, 50); }
+Model square() { return rectangle_of("Square", 60, 60, 1.6); }
+Model rectangle() { return rectangle_of("Rectangle", 80, 50, 1.75); }
 
 Model triangle() {
   Sketch sketch("Triangle");
-  const std::vector<int> corners = sketch.circle("corner", 75, 3, 90), sides = sketch.circle("side", 37.5, 3, 150);
-  sketch.ring("frame", {corners[0], sides[0], corners[1], sides[1], corners[2], sides[2]}, PlanCurve::kStraight);
+  add_frame(sketch, {{-65, -37.5}, {65, -37.5}, {0, 75}});
+  sketch.thicken(1.4);
   return sketch.done();
 }
 
@@ -123,11 +135,12 @@ Model flower() {
     const auto at = [&](const char* part, double radius, double angle) {
       return sketch.polar(fmt::format("{}{}", part, k + 1), radius, middle + angle);
     };
-    const int right = at("right", 52, -24), shoulder = at("shoulder", 74, -15), tip = at("tip", 84, 0),
-              other = at("other", 74, 15), left = at("left", 52, 24);
+    const int right = at("right", 55, -23), shoulder = at("shoulder", 80, -16), tip = at("tip", 92, 0),
+              other = at("other", 80, 16), left = at("left", 55, 23);
     const std::size_t i = static_cast<std::size_t>(k);
     sketch.rod(fmt::format("petal{}", k + 1), {heart[i], right, shoulder, tip, other, left, heart[(i + 1) % kPetals]});
   }
+  sketch.thicken(0.8);
   return sketch.done();
 }
 
@@ -140,25 +153,25 @@ Model ring_with_hole() {
     sketch.rod(fmt::format("spoke{}", k / 2 + 1), {hole[k], rim[k]}, PlanCurve::kStraight);
   }
   sketch.plan().fabric.holes.push_back(Vec2::Zero());
+  sketch.thicken(1.15);
   return sketch.done();
 }
 
 Model crossed_strips() {
   Sketch sketch("Crossed strips");
   constexpr double kHalf = 70, kStrip = 12;  // mm
-  const auto names = [](const char* what, int a, int b) { return fmt::format("{}{}{}", what, a, b); };
-  const double stations[] = {-kHalf, -kStrip, kStrip, kHalf};
+  constexpr double kStations[] = {-kHalf, -kStrip, kStrip, kHalf};
   int grid[4][4];
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) grid[i][j] = sketch.point(names("g", i + 1, j + 1), stations[i], stations[j]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      grid[i][j] = sketch.point(fmt::format("g{}{}", i + 1, j + 1), kStations[i], kStations[j]);
+    }
   }
-  sketch.ring("frame",
-              {grid[0][0], grid[1][0], grid[2][0], grid[3][0], grid[3][1], grid[3][2], grid[3][3], grid[2][3],
-               grid[1][3], grid[0][3], grid[0][2], grid[0][1]},
-              PlanCurve::kStraight);
-  for (const int k : {1, 2}) {
-    sketch.rod(fmt::format("across{}", k), {grid[0][k], grid[1][k], grid[2][k], grid[3][k]}, PlanCurve::kStraight);
-    sketch.rod(fmt::format("up{}", k), {grid[k][0], grid[k][1], grid[k][2], grid[k][3]}, PlanCurve::kStraight);
+  constexpr const char* kAcross[] = {"south", "across1", "across2", "north"};
+  constexpr const char* kUp[] = {"west", "up1", "up2", "east"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    sketch.rod(kAcross[k], {grid[0][k], grid[1][k], grid[2][k], grid[3][k]}, PlanCurve::kStraight);
+    sketch.rod(kUp[k], {grid[k][0], grid[k][1], grid[k][2], grid[k][3]}, PlanCurve::kStraight);
   }
   return sketch.done();
 }
@@ -168,39 +181,40 @@ Model star() {
   constexpr int kArms = 5;
   const std::vector<int> tips = sketch.circle("tip", 80, kArms, 90), dents = sketch.circle("dent", 36, kArms, 126);
   const int middle = sketch.point("middle", 0, 0);
-  std::vector<int> rim;
   for (std::size_t k = 0; k < kArms; ++k) {
-    rim.push_back(tips[k]);
-    rim.push_back(dents[k]);
     sketch.rod(fmt::format("ray{}", k + 1), {middle, tips[k]}, PlanCurve::kStraight);
+    sketch.rod(fmt::format("left{}", k + 1), {tips[k], dents[k]}, PlanCurve::kStraight);
+    sketch.rod(fmt::format("right{}", k + 1), {dents[k], tips[(k + 1) % kArms]}, PlanCurve::kStraight);
   }
-  sketch.ring("rim", rim, PlanCurve::kStraight);
   return sketch.done();
 }
 
+/// Fabric beyond the outermost rods would hang slack, so an edge that is not printed needs rods that reach its corners.
 Model sheet() {
   Sketch sketch("Empty sheet");
-  constexpr double kHalf = 70;  // mm
+  constexpr double kHalf = 60;  // mm
   const int sw = sketch.point("south-west", -kHalf, -kHalf), se = sketch.point("south-east", kHalf, -kHalf),
             ne = sketch.point("north-east", kHalf, kHalf), nw = sketch.point("north-west", -kHalf, kHalf);
+  const int middle = sketch.point("middle", 0, 0);
   sketch.ring("edge", {sw, se, ne, nw}, PlanCurve::kStraight);
   sketch.ghost_last();
-  const int a = sketch.point("a", -40, 0), b = sketch.point("b", 40, 0);
-  sketch.rod("rod1", {a, b}, PlanCurve::kStraight);
+  sketch.rod("cross1", {sw, middle, ne}, PlanCurve::kStraight);
+  sketch.rod("cross2", {se, middle, nw}, PlanCurve::kStraight);
+  sketch.thicken(1.5);
   return sketch.done();
 }
 
 constexpr Template kTemplates[] = {
     {"disc", "Disc", "A ring, 120 mm across, which pops up to a saddle.", disc},
     {"square", "Square", "A frame of 120 mm.", square},
-    {"rectangle", "Rectangle", "A frame of 170 by 100 mm.", rectangle},
-    {"triangle", "Triangle", "A frame with three corners, 150 mm high.", triangle},
+    {"rectangle", "Rectangle", "A frame of 160 by 100 mm.", rectangle},
+    {"triangle", "Triangle", "A frame with three corners, 130 mm wide.", triangle},
     {"leaf", "Leaf", "An outline with a rib and veins, 155 mm long.", leaf},
-    {"flower", "Flower", "Six petals around a ring, 170 mm across.", flower},
+    {"flower", "Flower", "Six petals around a ring, 180 mm across.", flower},
     {"ring", "Ring with a hole", "Two rings with spokes between them, 150 mm across.", ring_with_hole},
     {"strips", "Crossed strips", "Two narrow strips that cross on a square of 140 mm.", crossed_strips},
     {"star", "Star", "Five rays and their outline, 160 mm across.", star},
-    {"sheet", "Empty sheet", "Fabric of 140 mm without a frame, and one rod to begin with.", sheet},
+    {"sheet", "Empty sheet", "Fabric of 120 mm without a frame, held at its corners by two crossing rods.", sheet},
 };
 
 }  // namespace
