@@ -93,5 +93,29 @@ TEST_F(FileIo, LinksAreFollowedAndPermissionsKept) {
   EXPECT_EQ(fs::status(folder_ / "target").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(FileIo, WritingBelowAFolderStaysThere) {
+  const fs::path inside = folder_ / "inside", outside = folder_ / "outside";
+  fs::create_directories(inside);
+  fs::create_directories(outside);
+  ASSERT_TRUE(write_file_below(inside, "a.txt", "1"));
+  ASSERT_TRUE(write_file_below(inside, "new/deep/./b.txt", "2"));
+  EXPECT_EQ(read_file_below(inside, "new/deep/b.txt").value(), "2");
+  fs::create_symlink(outside, inside / "way-out");
+  fs::create_symlink(outside / "not-there", inside / "nowhere");
+  fs::create_symlink(inside / "a.txt", inside / "same");
+  fs::create_symlink("loop", inside / "loop");
+  for (const char* name : {"", ".", "..", "../outside/x", "new/../../outside/x", "/tmp/x", "way-out/x", "way-out",
+                           "nowhere", "loop", "loop/x", "a.txt/x", "new", "a\\b", "c:x", "a\nb"}) {
+    const Status status = write_file_below(inside, name, "x");
+    EXPECT_FALSE(status) << name;
+    EXPECT_FALSE(path_below(inside, name)) << name;
+  }
+  EXPECT_TRUE(fs::is_empty(outside));
+  ASSERT_TRUE(write_file_below(inside, "same", "3")) << "a link within the folder is followed";
+  EXPECT_EQ(read_file(inside / "a.txt").value(), "3");
+  EXPECT_TRUE(fs::is_symlink(inside / "same"));
+  EXPECT_EQ(path_below(inside, "not/yet.txt").value(), fs::canonical(inside) / "not/yet.txt");
+}
+
 }  // namespace
 }  // namespace lissom

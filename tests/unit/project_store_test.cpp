@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "lissom/core/file_io.h"
-#include "lissom/editing/templates.h"
 #include "lissom/model/document.h"
 #include "scenes/design_texts.h"
 
@@ -295,18 +294,6 @@ TEST_F(ProjectStoreTest, ListsWhatIsThere) {
   for (const ListedDesign& design : here.designs()) EXPECT_TRUE(here.open_design(design.name)) << design.name;
   EXPECT_EQ(here.open_design("buterfly").error().hint, "did you mean \"butterfly\"?");
   EXPECT_FALSE(here.open_template("disk-of-nothing"));
-}
-
-TEST(Templates, AreDocuments) {
-  ASSERT_GE(templates().size(), 10U);
-  for (const Template& one : templates()) {
-    const Model model = one.make();
-    const Status valid = model.validate();
-    EXPECT_TRUE(valid) << one.name << ": " << (valid ? "" : valid.error().text());
-    EXPECT_EQ(model.title, one.title);
-    const std::string text = write_document(model);
-    EXPECT_EQ(write_document(read_document(text).value()), text);
-  }
 }
 
 }  // namespace
