@@ -120,7 +120,7 @@ void Desk::interrupt() {
   branches_.forget();
 }
 
-Status Desk::show(const std::shared_ptr<const Model>& model, int drag, const ShapeSnapshot* kept) {
+Status Desk::show(std::shared_ptr<const Model> model, int drag, const ShapeSnapshot* kept) {
   const std::shared_ptr<const Model> before = std::exchange(model_, model);
   ++revision_;
   const LiveShape::Occasion occasion{drag, revision_};

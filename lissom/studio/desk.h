@@ -86,7 +86,7 @@ class Desk {
   };
 
   /// Shows a document, and lets the shape follow it.
-  Status show(const std::shared_ptr<const Model>& model, int drag, const ShapeSnapshot* kept = nullptr);
+  Status show(std::shared_ptr<const Model> model, int drag, const ShapeSnapshot* kept = nullptr);
   nlohmann::json add_step(std::string title, const std::string& edit, Model model);
   void keep_shape();
   const ShapeSnapshot* kept_shape() const;

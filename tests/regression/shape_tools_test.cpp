@@ -17,7 +17,7 @@ namespace {
 
 PlanSpaceOptions space_options() {
   PlanSpaceOptions options;
-  options.radius_range = {0.25e-3, 4e-3};
+  options.radius_range = {0.1e-3, 4e-3};
   options.pre_stretch_range = {1.05, 1.8};
   return options;
 }
