@@ -32,7 +32,8 @@ export interface FabricSettings {
   warp_angle_deg: number;
   edge_length_mm: number;
   min_angle_deg: number;
-  bending: boolean;
+  /** Factor of the stiffness against bending; 0: none. */
+  bending: number;
   holes_mm: Vec2[];
   outline: string;
 }
@@ -85,7 +86,7 @@ export type Edit =
       warp_angle_deg?: number;
       edge_length_mm?: number;
       min_angle_deg?: number;
-      bending?: boolean;
+      bending?: number;
     }
   | { name: 'set_rods'; material?: string; edge_length_mm?: number; max_turn_deg?: number }
   | { name: 'add_hole'; at_mm: Vec2 }

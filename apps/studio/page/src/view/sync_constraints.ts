@@ -12,6 +12,8 @@ export function syncConstraints(view: View): () => void {
   const ends = [
     effect(() => {
       const now = present();
+      // Between a new mesh and its first shape the last picture stays.
+      if (!now && store.shape.value && store.topology.value) return;
       view.markers.points.set(now && store.show.points.value ? pointMarkers(view, now) : []);
       view.markers.pins.set(now && store.show.constraints.value ? pinMarkers(view, now) : []);
       view.lines.links.set(now && store.show.constraints.value ? linkStrokes(view, now) : []);
