@@ -97,7 +97,7 @@ export function planOf(points: Map<string, Vec2>, revision: number): PlanEvent {
     material: 'PLA',
     edge_length_mm: 4,
     max_turn_deg: 20,
-    fabric: { material: 'knit', pre_stretch: [1.4, 1.4], warp_angle_deg: 0, edge_length_mm: 4, min_angle_deg: 20, bending: false, holes_mm: [], outline: 'rim' },
+    fabric: { material: 'knit', pre_stretch: [1.4, 1.4], warp_angle_deg: 0, edge_length_mm: 4, min_angle_deg: 20, bending: 1, holes_mm: [], outline: ['rim'] },
     constraints: { pinned: ['p0'], attached: [['p1', 'p3']], in_plane: [], symmetric: null },
   };
 }

@@ -35,7 +35,8 @@ export interface FabricSettings {
   /** Factor of the stiffness against bending; 0: none. */
   bending: number;
   holes_mm: Vec2[];
-  outline: string;
+  /** Names of rods; empty: found by lissom. */
+  outline: string[];
 }
 
 export interface Symmetry {

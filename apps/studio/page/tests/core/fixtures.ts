@@ -33,7 +33,7 @@ export function plan(): PlanEvent {
       warp_angle_deg: 0,
       edge_length_mm: 1,
       min_angle_deg: 20,
-      bending: false,
+      bending: 1,
       holes_mm: [],
       outline: 'rim',
     },

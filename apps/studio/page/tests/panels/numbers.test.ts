@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { common } from '../../src/panels/logic/common';
-import { agoText, bytesText, counted, fixed, short, whenText, withUnit } from '../../src/panels/logic/number_text';
+import { agoText, bytesText, counted, durationText, fixed, short, whenText, withUnit } from '../../src/panels/logic/number_text';
 import { readQuantity } from '../../src/panels/logic/quantity';
 import { histogram, tickDigits, ticks } from '../../src/panels/logic/ticks';
 
@@ -56,6 +56,8 @@ test('writes numbers for people', () => {
   expect(withUnit(20, '°', 0)).toBe('20°');
   expect(counted(1, 'warning')).toBe('1 warning');
   expect(counted(2, 'warning')).toBe('2 warnings');
+  expect(durationText(62.4)).toBe('62 ms');
+  expect(durationText(2442)).toBe('2.4 s');
   expect(bytesText(999)).toBe('999 B');
   expect(bytesText(12300)).toBe('12 kB');
   expect(agoText(3)).toBe('just now');
@@ -65,9 +67,11 @@ test('writes numbers for people', () => {
 
 test('marks scales at round numbers', () => {
   expect(ticks(0, 1, 5)).toEqual([0, 0.2, 0.4, 0.6, 0.8, 1]);
-  expect(ticks(-0.05, 0.05, 4)).toEqual([-0.05, 0, 0.05]);
+  expect(ticks(-0.05, 0.05, 4)).toEqual([-0.05, -0.025, 0, 0.025, 0.05]);
   expect(ticks(2, 2)).toEqual([2]);
   expect(tickDigits([1.1, 1.2])).toBe(1);
+  expect(ticks(-0.048, 0.048, 4)).toEqual([-0.025, 0, 0.025]);
+  expect(tickDigits([-0.025, 0, 0.025])).toBe(3);
   expect(tickDigits([100, 200])).toBe(0);
   expect(histogram([0, 0.1, 0.9, 5, -3, Number.NaN], 0, 1, 2)).toEqual([3, 2]);
 });

@@ -27,9 +27,9 @@ export function plan(): PlanEvent {
       warp_angle_deg: 0,
       edge_length_mm: 4,
       min_angle_deg: 20,
-      bending: false,
+      bending: 1,
       holes_mm: [[3, 4]],
-      outline: '',
+      outline: [],
     },
     constraints: { pinned: ['a'], attached: [['a', 'c']], in_plane: [['a', 'b', 'c']], symmetric: { axis: 'x', at_mm: 0 } },
   };

@@ -38,6 +38,11 @@ export function counted(count: number, one: string, many = `${one}s`): string {
   return `${count} ${count === 1 ? one : many}`;
 }
 
+/** "62 ms", "2.4 s". */
+export function durationText(milliseconds: number): string {
+  return milliseconds < 1000 ? `${short(milliseconds, 2)} ms` : `${short(milliseconds / 1000, 2)} s`;
+}
+
 /** The size of a file. */
 export function bytesText(bytes: number): string {
   if (bytes < 1000) return `${bytes} B`;

@@ -5,8 +5,8 @@ export function ticks(low: number, high: number, wanted = 5): number[] {
   if (!(high > low)) return [low];
   const raw = (high - low) / wanted;
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= raw) ?? 10 * power;
-  const digits = Math.max(0, -Math.floor(Math.log10(step)) + 1);
+  const step = [1, 2, 2.5, 5, 10].map((f) => f * power).find((s) => s >= raw) ?? 10 * power;
+  const digits = Math.max(0, -Math.floor(Math.log10(step)) + 2);
   const out: number[] = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     out.push(Number((k * step).toFixed(Math.min(digits, 20))));
@@ -14,11 +14,12 @@ export function ticks(low: number, high: number, wanted = 5): number[] {
   return out;
 }
 
-/** Digits that tell neighbouring ticks apart. */
+/** Digits after the point that say every tick exactly. */
 export function tickDigits(marks: readonly number[]): number {
-  if (marks.length < 2) return 2;
-  const step = Math.abs((marks[1] ?? 0) - (marks[0] ?? 0));
-  return Math.max(0, Math.min(8, -Math.floor(Math.log10(step) + 1e-9)));
+  for (let digits = 0; digits < 8; ++digits) {
+    if (marks.every((mark) => Math.abs(Number(mark.toFixed(digits)) - mark) < 1e-9 * Math.max(1, Math.abs(mark)))) return digits;
+  }
+  return 8;
 }
 
 /** Number of values in each of `count` equal parts of low..high; what is outside counts in the first or last. */

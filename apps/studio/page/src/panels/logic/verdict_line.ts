@@ -2,7 +2,7 @@
 
 import type { VerdictEvent } from '../../core/protocol';
 import type { ConnectionState } from '../../core/store';
-import { counted, short } from './number_text';
+import { counted, durationText, short } from './number_text';
 import { sentence } from './words';
 
 export type Tone = 'calm' | 'busy' | 'warn' | 'bad';
@@ -41,7 +41,7 @@ export function verdictLine({ connection, verdict, running, dragging, moving }: 
 }
 
 function settled(verdict: VerdictEvent, running: boolean): VerdictLine {
-  const text = `Settled in ${short(verdict.milliseconds, 2)} ms, ${counted(verdict.iterations, 'iteration')}.`;
+  const text = `Settled in ${durationText(verdict.milliseconds)}, ${counted(verdict.iterations, 'iteration')}.`;
   const note = verdict.note === '' ? '' : ` ${sentence(verdict.note)}`;
   return {
     tone: 'calm',

@@ -41,17 +41,21 @@ export function FabricSection() {
       <Field
         label="Smallest angle"
         unit="°"
-        digits={0}
+        digits={1}
         step={1}
         value={fabric.min_angle_deg}
         disabled={lookOnly.value}
         onCommit={(min_angle_deg) => fieldEdit({ name: 'set_fabric', min_angle_deg })}
       />
-      <Switch
-        label="Bending stiffness of the fabric"
-        checked={fabric.bending}
+      <Field
+        label="Bending stiffness"
+        unit="%"
+        digits={0}
+        step={10}
+        initial={100}
+        value={100 * fabric.bending}
         disabled={lookOnly.value}
-        onSwitch={(bending) => void fieldEdit({ name: 'set_fabric', bending })}
+        onCommit={(percent) => fieldEdit({ name: 'set_fabric', bending: percent / 100 })}
       />
       <Holes fabric={fabric} />
     </Section>

@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { edit, send } from '../../core/connection';
 import type { VerdictEvent } from '../../core/protocol';
 import { dialog, log, verdict, warnings } from '../../core/store';
-import { short, withUnit } from '../logic/number_text';
+import { durationText, short, withUnit } from '../logic/number_text';
 import { sentence, sentenceCase } from '../logic/words';
 import { Button } from '../parts/button';
 import { Facts } from '../parts/facts';
@@ -131,7 +131,7 @@ function Figures({ of }: { of: VerdictEvent }) {
       of={[
         ['Largest force left', `${short(of.residual_n, 2)} N`],
         ['Iterations', `${of.iterations} (${of.factorizations} factorizations)`],
-        ['Time', `${short(of.milliseconds, 2)} ms`],
+        ['Time', durationText(of.milliseconds)],
         ['Softest mode', of.lowest_mode_n_per_m === null ? 'not looked at' : `${short(of.lowest_mode_n_per_m)} N/m`],
         ['Modes that release energy', String(of.negative_modes)],
         ['Energy', `${short(of.energy_mj)} mJ`],
