@@ -35,7 +35,7 @@ export function plan(): PlanEvent {
       min_angle_deg: 20,
       bending: 1,
       holes_mm: [],
-      outline: 'rim',
+      outline: ['rim'],
     },
     constraints: { pinned: [], attached: [], in_plane: [], symmetric: null },
   };
