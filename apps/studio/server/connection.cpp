@@ -18,7 +18,7 @@ namespace {
 namespace beast = boost::beast;
 namespace http = beast::http;
 using boost::system::error_code;
-using tcp = boost::asio::ip::tcp;
+using boost::asio::ip::tcp;
 
 constexpr std::chrono::seconds kDrainTime{1};
 

@@ -78,7 +78,7 @@ std::string kept_session(const fs::path& folder, unsigned short port) {
   if (folder.empty() || !is_private(folder)) return random_secret();
   const fs::path file = session_file(folder, port);
   if (const std::optional<std::string> session = read_session(file)) return *session;
-  const std::string session = random_secret();
+  std::string session = random_secret();
   write_session(file, session);
   return session;
 }

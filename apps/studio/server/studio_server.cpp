@@ -16,7 +16,7 @@ namespace {
 
 namespace net = boost::asio;
 using boost::system::error_code;
-using tcp = net::ip::tcp;
+using net::ip::tcp;
 
 constexpr std::chrono::milliseconds kAcceptPause{100};  // when the system has no more sockets for us
 constexpr std::chrono::milliseconds kEndCheck{10};
