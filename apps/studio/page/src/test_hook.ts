@@ -1,12 +1,13 @@
 // window.lissomTest: what end-to-end tests ask the page. It only reads, but for the camera, which tests set so that their
 // pictures are the same every time.
 
-import type { Camera } from './core/camera';
+import { Projector, type Camera } from './core/camera';
 import { waitingRequests } from './core/connection';
+import { gripLines, type Grip } from './core/gizmo';
+import { gizmoPlace } from './core/handles';
 import { clearLatencies, latencies, type LatencyKind } from './core/latency';
 import * as store from './core/store';
 import { cameraMoves, setCamera } from './view/camera_motion';
-import { Projector } from './core/camera';
 import { toPixel } from './core/plan_camera';
 import { kNoNode } from './core/protocol';
 import { row3 } from './core/vec';
@@ -64,7 +65,7 @@ async function whenIdle(milliseconds = 20000): Promise<void> {
 function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | null {
   const index = store.pointIndex.peek().get(point);
   const plan = store.plan.peek();
-  const element = document.querySelector(where === 'plan' ? '.plan-view canvas' : '.viewport canvas');
+  const element = document.querySelector(where === 'plan' ? '.plan-view' : '.viewport');
   if (index === undefined || !plan || !element) return null;
   const box = element.getBoundingClientRect();
   if (where === 'plan') {
@@ -76,6 +77,17 @@ function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | nul
   if (node === kNoNode || !shape) return null;
   const at = new Projector(store.camera.peek(), store.viewSize.peek()).point(row3(shape.positions, node));
   return at && [box.left + at[0], box.top + at[1]];
+}
+
+/** Where a grip of the handle is on the page: "x", "turn-z", "scale", ... */
+function pixelOfGrip(grip: Grip): [number, number] | null {
+  const center = gizmoPlace();
+  const box = document.querySelector('.viewport')?.getBoundingClientRect();
+  if (!center || !box) return null;
+  const projector = new Projector(store.camera.peek(), store.viewSize.peek());
+  const line = grip === 'screen' ? [center] : gripLines(projector, center).find((l) => l.grip === grip)?.line;
+  const at = line && projector.point(line[line.length - 1]);
+  return at ? [box.left + at[0], box.top + at[1]] : null;
 }
 
 export interface LissomTest {
@@ -94,6 +106,7 @@ export interface LissomTest {
   busy: () => string;
   whenIdle: typeof whenIdle;
   pixelOf: typeof pixelOf;
+  pixelOfGrip: typeof pixelOfGrip;
 }
 
 export function installTestHook(target: { lissomTest?: LissomTest }): void {
@@ -113,5 +126,6 @@ export function installTestHook(target: { lissomTest?: LissomTest }): void {
     busy,
     whenIdle,
     pixelOf,
+    pixelOfGrip,
   };
 }

@@ -90,33 +90,47 @@ export function slotRadii(chains: Chains, edgeRadii: Float32Array): Float32Array
 /** Attributes and triangles of the tubes: every vertex is (slot, previous slot, next slot, side + 64 * cap), where cap is 0
  *  on the side, 1 or 2 on the rim of the first or last face, 3 or 4 in their middle. Rings are shared by neighbours. */
 export function tubeMesh(topology: TopologyPack, chains: Chains, sides: number): { vertices: Float32Array; index: Uint32Array } {
-  const vertices: number[] = [];
-  const index: number[] = [];
-  const push = (slot: number, side: number, cap: number) => {
-    vertices.push(slot, chains.previous[slot], chains.next[slot], side + 64 * cap);
-    return vertices.length / 4 - 1;
+  const open = topology.rods.filter((rod) => !rod.closed).length;
+  const rings = chains.count - open;
+  const vertices = new Float32Array(4 * (chains.count * sides + 2 * open * (sides + 1)));
+  const index = new Uint32Array(6 * rings * sides + 6 * open * sides);
+  let v = 0;
+  let i = 0;
+  const vertex = (slot: number, side: number, cap: number): number => {
+    vertices[4 * v] = slot;
+    vertices[4 * v + 1] = chains.previous[slot];
+    vertices[4 * v + 2] = chains.next[slot];
+    vertices[4 * v + 3] = side + 64 * cap;
+    return v++;
+  };
+  const triangle = (a: number, b: number, c: number): void => {
+    index[i++] = a;
+    index[i++] = b;
+    index[i++] = c;
+  };
+  const face = (slot: number, end: number): void => {
+    const rim = v;
+    for (let k = 0; k < sides; ++k) vertex(slot, k, end);
+    const middle = vertex(slot, 0, end + 2);
+    for (let k = 0; k < sides; ++k) triangle(middle, rim + k, rim + ((k + 1) % sides));
   };
   topology.rods.forEach((rod, r) => {
     const from = topology.rod_starts[r];
     const to = topology.rod_starts[r + 1];
-    const base = vertices.length / 4;
-    for (let slot = from; slot < to; ++slot) for (let k = 0; k < sides; ++k) push(slot, k, 0);
-    const rings = rod.closed ? to - from : to - from - 1;
-    for (let i = 0; i < rings; ++i) {
-      const a = base + i * sides;
-      const b = base + ((i + 1) % (to - from)) * sides;
+    const base = v;
+    for (let slot = from; slot < to; ++slot) for (let k = 0; k < sides; ++k) vertex(slot, k, 0);
+    for (let j = 0; j < (rod.closed ? to - from : to - from - 1); ++j) {
+      const a = base + j * sides;
+      const b = base + ((j + 1) % (to - from)) * sides;
       for (let k = 0; k < sides; ++k) {
         const l = (k + 1) % sides;
-        index.push(a + k, a + l, b + k, b + k, a + l, b + l);
+        triangle(a + k, a + l, b + k);
+        triangle(b + k, a + l, b + l);
       }
     }
     if (rod.closed) return;
-    for (const end of [1, 2]) {
-      const slot = end === 1 ? from : to - 1;
-      const rim = Array.from({ length: sides }, (_, k) => push(slot, k, end));
-      const middle = push(slot, 0, end + 2);
-      for (let k = 0; k < sides; ++k) index.push(middle, rim[k], rim[(k + 1) % sides]);
-    }
+    face(from, 1);
+    face(to - 1, 2);
   });
-  return { vertices: Float32Array.from(vertices), index: Uint32Array.from(index) };
+  return { vertices, index };
 }

@@ -27,6 +27,7 @@ export class Fabric {
   readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   readonly lines: LineSegments<BufferGeometry, RawShaderMaterial>;
   private frame: FabricFrame | null = null;
+  private triangles: Uint32Array | null = null;
 
   constructor(tables: ColourTables, palette: Palette) {
     const uniforms = {
@@ -67,11 +68,23 @@ export class Fabric {
     geometry.setAttribute('normal', dynamic(this.frame.normals, 3));
     geometry.setAttribute('extra', dynamic(this.frame.extra, 3));
     this.mesh.geometry = geometry;
+    this.triangles = topology.triangles;
+    if (this.lines.visible) this.buildLines();
+  }
+
+  /** Shows the mesh; its lines are made only then, for a drag may bring a new mesh with every step. */
+  showLines(shown: boolean): void {
+    if (shown && !this.lines.visible) this.buildLines();
+    this.lines.visible = shown;
+  }
+
+  private buildLines(): void {
+    const position = this.mesh.geometry.getAttribute('position');
+    if (!this.triangles || !position) return;
     this.lines.geometry.dispose();
-    const lines = everywhere(new BufferGeometry());
-    lines.setAttribute('position', geometry.getAttribute('position'));
-    lines.setIndex(new BufferAttribute(edgesOf(topology.triangles), 1));
-    this.lines.geometry = lines;
+    this.lines.geometry = everywhere(new BufferGeometry());
+    this.lines.geometry.setAttribute('position', position);
+    this.lines.geometry.setIndex(new BufferAttribute(edgesOf(this.triangles), 1));
   }
 
   setShape(positions: Float32Array, values: Float32Array | null): void {

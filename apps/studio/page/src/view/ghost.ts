@@ -9,7 +9,11 @@ import { material, setColour, vec } from './shading';
 
 const kVertex = /* glsl */ `
 in vec3 position;
-void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  seen.xyz *= 0.999; // where both shapes are the same the ghost lies on top
+  gl_Position = projectionMatrix * seen;
+}
 `;
 const kFragment = /* glsl */ `
 uniform vec3 ink;

@@ -78,15 +78,7 @@ export class Rods {
   setTopology(topology: TopologyPack): void {
     this.topology = topology;
     this.chains = chainsOf(topology);
-    const { count } = this.chains;
-    this.slots = new Float32Array(4 * kColumns * rowsFor(2 * count));
-    this.dispose();
-    this.state = texture(this.slots, RGBAFormat, 2 * count);
-    this.radii = texture(new Float32Array(2 * kColumns * rowsFor(count)), RGFormat, count);
-    this.marks = texture(new Uint8Array(4 * kColumns * rowsFor(count)), RGBAFormat, count);
-    this.uniforms.state.value = this.state;
-    this.uniforms.radii.value = this.radii;
-    this.uniforms.marks.value = this.marks;
+    this.makeRoom(this.chains.count);
     this.setRadii(topology.edge_radii);
     this.build();
   }
@@ -135,6 +127,20 @@ export class Rods {
     geometry.setAttribute('corner', new BufferAttribute(vertices, 4));
     geometry.setIndex(new BufferAttribute(index, 1));
     this.mesh.geometry = geometry;
+  }
+
+  /** Textures for so many slots; those of the mesh before do when they have as many rows. */
+  private makeRoom(count: number): void {
+    const floats = 4 * kColumns * rowsFor(2 * count);
+    if (this.slots.length === floats && this.state) return;
+    this.slots = new Float32Array(floats);
+    this.dispose();
+    this.state = texture(this.slots, RGBAFormat, 2 * count);
+    this.radii = texture(new Float32Array(2 * kColumns * rowsFor(count)), RGFormat, count);
+    this.marks = texture(new Uint8Array(4 * kColumns * rowsFor(count)), RGBAFormat, count);
+    this.uniforms.state.value = this.state;
+    this.uniforms.radii.value = this.radii;
+    this.uniforms.marks.value = this.marks;
   }
 
   private dispose(): void {

@@ -53,7 +53,7 @@ export function sync(view: View): () => void {
       const some = store.topology.value !== null && store.shape.value !== null;
       view.rods.mesh.visible = some && store.show.rods.value;
       view.fabric.mesh.visible = some && store.show.fabric.value;
-      view.fabric.lines.visible = some && store.show.mesh.value;
+      view.fabric.showLines(some && store.show.mesh.value);
       view.grid.lines.visible = store.show.grid.value;
       view.invalidate();
     }),

@@ -23,7 +23,7 @@ export function syncGhosts(view: View): () => void {
   const ends = [
     ofPack('flat', () => store.show.flat.value, () => store.flatShape.value),
     ofPack('previous', () => store.show.previous.value, () => store.previousShape.value),
-    ofPack('preview', () => store.show.preview.value, () => store.preview.value),
+    ofPack('preview', () => store.show.preview.value, () => (moves(store.preview.value?.positions) ? store.preview.value : null)),
     effect(() => {
       const topology = store.topology.value;
       const pack = store.branchShapes.value;
@@ -35,6 +35,17 @@ export function syncGhosts(view: View): () => void {
     breathe(view),
   ];
   return () => ends.forEach((end) => end());
+}
+
+/** Less than this is no other shape, mm. */
+const kNothing = 0.02;
+
+/** Whether places differ visibly from the shape's. */
+function moves(positions: Float32Array | undefined): boolean {
+  const now = store.shape.peek()?.positions;
+  if (!positions || !now || now.length !== positions.length) return false;
+  for (let i = 0; i < now.length; ++i) if (Math.abs(now[i] - positions[i]) > kNothing) return true;
+  return false;
 }
 
 /** The shown mode swings about the shape; with reduced motion, or when told so, it stands at its amplitude. */
