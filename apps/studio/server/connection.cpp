@@ -17,8 +17,8 @@ namespace {
 
 namespace beast = boost::beast;
 namespace http = beast::http;
-using boost::system::error_code;
 using boost::asio::ip::tcp;
+using boost::system::error_code;
 
 constexpr std::chrono::seconds kDrainTime{1};
 
