@@ -3,7 +3,7 @@
 import { batch } from '@preact/signals-core';
 import { CalmWriter } from './calm';
 import { fitRanges } from './fields';
-import type { EngineEvent, FieldInfo, Pack, ShapePack, TopologyPack } from './protocol';
+import type { EngineEvent, FieldInfo, Pack, PlanEvent, ShapePack, TopologyPack } from './protocol';
 import * as store from './store';
 
 const kLogLines = 200;
@@ -24,10 +24,13 @@ export function applyEvent(event: EngineEvent): void {
         calmPlan.write(null);
         calmPlan.flush();
         store.livePlan.value = null;
+        store.design.value += 1;
+        if (event.kind === 'none') forgetShape();
       });
       break;
     case 'plan':
       batch(() => {
+        if (!sameDesign(store.livePlan.peek(), event)) store.design.value += 1;
         store.livePlan.value = event;
         calmPlan.write(event);
         renameRods();
@@ -94,6 +97,23 @@ export function applyPack(pack: Pack): void {
       store.branchShapes.value = pack;
       break;
   }
+}
+
+/** One step of history leaves most points their names; another design has few of them, or none. */
+function sameDesign(before: PlanEvent | null, now: PlanEvent): boolean {
+  if (!before) return false;
+  const names = new Set(before.points.map((p) => p.name));
+  const kept = now.points.filter((p) => names.has(p.name)).length;
+  return 2 * kept >= Math.min(before.points.length, now.points.length);
+}
+
+/** Forgets mesh and shape: another engine counts its meshes anew. */
+export function forgetShape(): void {
+  batch(() => {
+    store.topology.value = store.shape.value = store.settledShape.value = null;
+    store.flatShape.value = store.previousShape.value = store.preview.value = null;
+    store.modeShapes.value = store.branchShapes.value = null;
+  });
 }
 
 /** Numbers of the plan's rods, as the engine sent them with the present mesh, and how many rods there were. */

@@ -1,7 +1,7 @@
 // The WebSocket to the engine. Every request gets a promise; when the connection is lost it is tried again, hello is said
 // anew and the engine resends its whole state. What was under way is given up: its promises answer with code "lost".
 
-import { applyEvent, applyPack } from './apply';
+import { applyEvent, applyPack, forgetShape } from './apply';
 import { note } from './latency';
 import { decodePack } from './packs';
 import type { Answer, Edit, EngineEvent, Hello, Pack, Request } from './protocol';
@@ -76,6 +76,7 @@ export class Connection {
       return;
     }
     this.delay = kFirstDelay;
+    forgetShape();
     hello.value = answer as unknown as Hello;
     connection.value = 'open';
   }

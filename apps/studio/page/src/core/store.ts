@@ -55,6 +55,9 @@ export const log = signal<string[]>([]);
 /** What went wrong last, by a request or on its own; null after it was dismissed. Panels show it and set it to null. */
 export const fault = signal<EngineFault | null>(null);
 
+/** Counts the designs that were opened: views show each whole. A file that is saved under another name is the same. */
+export const design = signal(0);
+
 /** Packs. `shape` changes up to 60 times a second: never read its `.value` while rendering a panel; use `effect`, or the
  *  events above, which carry the numbers that people read. */
 export const topology = signal<TopologyPack | null>(null);

@@ -105,21 +105,22 @@ function penOf(canvas: HTMLCanvasElement, width: number, height: number): Canvas
   return pen;
 }
 
-/** Each project is shown whole when it comes, and when the plan's place on the page changes while nobody has moved it. */
+/** Each design is shown whole when it comes, and when its place on the page changes while nobody has moved it. */
 function fits(size: { value: Screen }): () => void {
-  let fitted = '';
-  let camera = store.planCamera.peek();
+  let design = -1;
+  let camera: unknown = null;
+  let fittedSize: Screen | null = null;
   return effect(() => {
-    const name = store.project.value?.name ?? '';
-    const { width, height } = size.value;
+    const now = store.design.value;
     const plan = store.livePlan.value;
+    const screen = size.value;
     const untouched = store.planCamera.peek() === camera;
-    const key = `${name} ${untouched ? `${width} ${height}` : ''}`;
-    if (!plan || width < 2 || fitted === key || (!untouched && fitted.startsWith(`${name} `))) return;
+    if (!plan || screen.width < 2 || (design === now && (!untouched || fittedSize === screen))) return;
     const places = [...plan.points.map((p) => p.at_mm), ...plan.rods.flatMap((r) => r.line_mm)];
-    const fit = fitPlan(places, { width, height }, kRuler);
+    const fit = fitPlan(places, screen, kRuler);
     if (!fit) return;
-    fitted = key;
+    design = now;
+    fittedSize = screen;
     camera = fit;
     store.planCamera.value = fit;
   });

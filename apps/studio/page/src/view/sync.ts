@@ -1,8 +1,8 @@
 // What the store says becomes what the view draws. One effect for each thing that changes by itself.
 
-import { effect } from '@preact/signals-core';
+import { effect, signal } from '@preact/signals-core';
 import { nodesOf, softWeights } from '../core/soft';
-import type { FieldInfo } from '../core/protocol';
+import type { FieldInfo, TopologyPack } from '../core/protocol';
 import * as store from '../core/store';
 import { followProjection } from './camera_motion';
 import { syncConstraints } from './sync_constraints';
@@ -17,7 +17,8 @@ function fieldOf(info: FieldInfo | undefined, name: string): FieldInfo | null {
 
 /** Starts all effects; the function that it returns ends them. */
 export function sync(view: View): () => void {
-  let topology = -1;
+  /** The mesh that the view has: a new one is taken over with its first shape. */
+  const shown = signal<TopologyPack | null>(null);
   const ends = [
     followProjection(),
     effect(() => view.setPalette(paletteOf(store.dark.value))),
@@ -34,9 +35,10 @@ export function sync(view: View): () => void {
     effect(() => {
       const made = store.topology.value;
       const shape = store.shape.value;
+      if (!made) shown.value = null;
       if (!made || !shape || shape.topology !== made.topology) return;
-      if (topology !== made.topology) view.setTopology(made);
-      topology = made.topology;
+      if (shown.peek()?.topology !== made.topology) view.setTopology(made);
+      shown.value = made;
       view.hurry();
       view.setShape(shape, fieldOf(shape.field_rods, store.rodField.value) !== null, fieldOf(shape.field_fabric, store.fabricField.value) !== null);
     }),
@@ -57,7 +59,7 @@ export function sync(view: View): () => void {
       view.grid.lines.visible = store.show.grid.value;
       view.invalidate();
     }),
-    effect(() => syncMarks(view)),
+    effect(() => syncMarks(view, shown.value)),
     syncGhosts(view),
     syncConstraints(view),
   ];
@@ -65,14 +67,14 @@ export function sync(view: View): () => void {
 }
 
 /** What is selected, hovered, softly selected or among the worst, on rods and fabric. */
-function syncMarks(view: View): void {
-  const topology = store.topology.value;
+function syncMarks(view: View, topology: TopologyPack | null): void {
   if (!topology) return;
   const { rods } = store.selection.value;
   const hovered = store.hover.value;
-  const selected = nodesOf(store.selection.value, store.pointIndex.value, topology);
+  const selected = nodesOf(store.selection.value, store.pointIndex.value, topology).filter((node) => 2 * node < topology.plan_places.length);
   // While something moves, the weights of a moment ago are good enough.
-  const positions = store.shape.peek()?.positions ?? null;
+  const shape = store.shape.peek();
+  const positions = shape?.topology === topology.topology ? shape.positions : null;
   const soft = store.workMode.value === 'shape' && selected.length > 0 && positions;
   const weights = soft ? softWeights(positions, selected, store.softRadius.value) : null;
   const isSelected = new Set(store.selection.value.nodes);

@@ -83,14 +83,21 @@ function gizmo(view: View): () => void {
   });
 }
 
-/** The first shape of each project is shown whole. */
+/** The first shape of each design is shown whole. */
 function frames(): () => void {
-  let framed = '';
+  let design = -1;
+  let before: number | undefined;
+  let waiting = false;
   return effect(() => {
-    const name = store.project.value?.name ?? '';
-    const ready = store.shape.value !== null && store.viewSize.value.width > 1;
-    if (!ready || framed === `#${name}`) return;
-    framed = `#${name}`;
+    const topology = store.shape.value?.topology;
+    if (design !== store.design.value) {
+      // The shape that is there now is still that of the design before.
+      design = store.design.value;
+      before = topology;
+      waiting = true;
+    }
+    if (!waiting || topology === undefined || topology === before || store.viewSize.value.width < 2) return;
+    waiting = false;
     frameShape();
   });
 }

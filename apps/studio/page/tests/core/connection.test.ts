@@ -178,6 +178,21 @@ describe('connection', () => {
     expect([...store.selection.value.points]).toEqual(['a']);
   });
 
+  test('counts designs, not names', async () => {
+    const wire = await open();
+    const before = store.design.value;
+    wire.say({ ...plan() });
+    expect(store.design.value).toBe(before + 1);
+    const edited = plan();
+    edited.points[0].name = 'z';
+    wire.say({ ...edited });
+    expect(store.design.value).toBe(before + 1);
+    const other = plan();
+    other.points.forEach((p, i) => (p.name = `q${i}`));
+    wire.say({ ...other });
+    expect(store.design.value).toBe(before + 2);
+  });
+
   test('a rod that is renamed keeps its mesh', async () => {
     const wire = await open();
     wire.say({ ...plan() });
