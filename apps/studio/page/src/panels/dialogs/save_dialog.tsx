@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { dialog, hello, project } from '../../core/store';
 import { save, saveRefusal } from '../files';
-import { sentence } from '../logic/words';
+import { refusalText } from '../logic/words';
 import { documentName, fileStem } from '../logic/file_names';
 import { Button } from '../parts/button';
 import { Modal } from '../parts/modal';
@@ -57,7 +57,7 @@ export function SaveDialog() {
         />
         {refusal && (
           <p class="note warn" role="alert">
-            {sentence(refusal.message)} {sentence(refusal.hint)}
+            {refusalText(refusal)}
           </p>
         )}
         <p class="small soft">Its history is kept beside it, so that undo goes on after the next start.</p>

@@ -5,6 +5,11 @@ export function sentenceCase(text: string): string {
   return text === '' ? text : text[0].toUpperCase() + text.slice(1);
 }
 
+/** What was refused, and what to do: full sentences. */
+export function refusalText({ message, hint }: { message: string; hint: string }): string {
+  return [message, hint].filter((part) => part !== '').map(sentence).join(' ');
+}
+
 /** A list in a sentence: "a, b and c"; longer ones are cut. */
 export function listText(names: readonly string[], most = 4): string {
   if (names.length === 0) return '';

@@ -6,6 +6,7 @@ import type { TargetedKeyboardEvent } from 'preact';
 import type { Answer } from '../../core/protocol';
 import { fixed, withUnit } from '../logic/number_text';
 import { readQuantity } from '../logic/quantity';
+import { refusalText } from '../logic/words';
 import { Scrub } from '../logic/scrub';
 import { Button } from './button';
 
@@ -47,7 +48,7 @@ export function Field(props: FieldProps) {
     const answer = await latest.current.onCommit(wanted);
     setMoved(undefined);
     const refusal = answer && !answer.ok ? answer.error : undefined;
-    setProblem(refusal ? `${refusal.message} ${refusal.hint}`.trim() : '');
+    setProblem(refusal ? refusalText(refusal) : '');
     return refusal === undefined;
   };
   const scrub = useRef<Scrub | undefined>(undefined);

@@ -2,6 +2,7 @@
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Answer } from '../../core/protocol';
+import { refusalText } from '../logic/words';
 import { keepPlainKeys } from './field';
 
 interface TextFieldProps {
@@ -28,7 +29,7 @@ export function TextField({ label, value, disabled, onCommit }: TextFieldProps) 
     }
     const answer = await onCommit(typed.trim());
     const refusal = answer && !answer.ok ? answer.error : undefined;
-    setProblem(refusal ? `${refusal.message} ${refusal.hint}`.trim() : '');
+    setProblem(refusal ? refusalText(refusal) : '');
     if (!refusal) setTyped(undefined);
   };
   return (

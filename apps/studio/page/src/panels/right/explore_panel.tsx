@@ -5,7 +5,7 @@ import { announce } from '../../core/commands';
 import { send } from '../../core/connection';
 import type { ModesEvent } from '../../core/protocol';
 import { jobs, lookOnly, measures, modeAmplitude, modeBreathes, modes, reducedMotion, shownMode } from '../../core/store';
-import { fixed, short } from '../logic/number_text';
+import { fixed } from '../logic/number_text';
 import { sentence } from '../logic/words';
 import { Button } from '../parts/button';
 import { Switch } from '../parts/choice';
@@ -60,6 +60,7 @@ function Stale({ busy }: { busy: boolean }) {
 }
 
 function ModeList({ of }: { of: ModesEvent['modes'] }) {
+  const strongest = Math.max(...of.map((mode) => mode.value), Number.MIN_VALUE);
   return (
     <ol class="mode-list" aria-label="Modes">
       {of.map((mode, k) => (
@@ -72,11 +73,9 @@ function ModeList({ of }: { of: ModesEvent['modes'] }) {
           >
             <span class="row between">
               <strong>Mode {k + 1}</strong>
-              <span class="small soft">
-                {groups[mode.group] ?? mode.group}, {short(mode.value)}
-              </span>
+              <span class="small soft">strength {fixed(100 * (mode.value / strongest), 0)} %</span>
             </span>
-            {mode.sentence && <span>{sentence(mode.sentence)}</span>}
+            <span>{sentence(mode.sentence || groups[mode.group])}</span>
           </button>
         </li>
       ))}

@@ -12,8 +12,6 @@ import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 
 const kStretch: readonly [number, number] = [1, 1.8];
-/** Where designs begin. */
-const kUsualStretch = 1.4;
 
 export function FabricSection() {
   const fabric = plan.value?.fabric;
@@ -69,7 +67,7 @@ function Stretch({ fabric }: { fabric: FabricSettings }) {
   const first = useDragged((value) => ({ name: 'set_pre_stretch', along: [value, weft] }));
   const second = useDragged((value) => ({ name: 'set_pre_stretch', along: [warp, value] }));
   const separate = apart.value || warp !== weft;
-  const common = { unit: '', digits: 2, step: 0.01, range: kStretch, initial: kUsualStretch, disabled: lookOnly.value } as const;
+  const common = { unit: '', digits: 2, step: 0.01, range: kStretch, disabled: lookOnly.value } as const;
   return (
     <>
       <Field label={separate ? 'Stretch along warp' : 'Pre-stretch'} value={warp} {...common} {...(separate ? first : both)} />

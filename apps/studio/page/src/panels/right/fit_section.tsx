@@ -19,7 +19,7 @@ export function FitSection({ fitting }: { fitting: boolean }) {
       {fitting && (
         <div class="row between">
           <span>
-            Step {job?.iteration ?? 0}, {short(job?.value ?? Number.NaN)} {job?.unit}
+            Step {job?.iteration ?? 0}, {short(job?.value ?? Number.NaN)} mm from the target
           </span>
           <Button icon="stop" label="Stop and keep the best so far" onClick={() => void send({ do: 'cancel', job: 'fit' })}>
             Stop

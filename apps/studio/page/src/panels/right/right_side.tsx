@@ -1,5 +1,6 @@
 // The right column: what the mode of work is about, and what is selected.
 
+import { Fragment } from 'preact';
 import { selection, workMode } from '../../core/store';
 import { sideShown } from '../layout_state';
 import { counted } from '../logic/number_text';
@@ -19,7 +20,9 @@ export function RightSide() {
   return (
     <aside class="side right" aria-label="Inspector">
       <div id="inspector" class="side-body" role="tabpanel" aria-labelledby={`tab-${workMode.value}`} tabIndex={-1}>
-        <Panels />
+        <Fragment key={workMode.value}>
+          <Panels />
+        </Fragment>
       </div>
     </aside>
   );

@@ -1,7 +1,7 @@
 // What was refused last: what, where and what to do.
 
 import { fault } from '../../core/store';
-import { sentence } from '../logic/words';
+import { refusalText } from '../logic/words';
 import { Button } from '../parts/button';
 import { Icon } from '../parts/icon';
 
@@ -13,7 +13,7 @@ export function FaultBar() {
     <div class="fault" role="alert">
       <Icon name="trouble" />
       <p>
-        {sentence(now.message)} {now.hint && sentence(now.hint)} {now.where && <span class="soft">({now.where})</span>}
+        {refusalText(now)} {now.where && <span class="soft">({now.where})</span>}
       </p>
       <Button icon="close" label="Dismiss" onClick={() => (fault.value = null)} />
     </div>

@@ -29,7 +29,7 @@ export function JobChip({ job }: { job: JobEvent }) {
       ) : (
         <span class="soft">
           {job.iteration > 0 && `step ${job.iteration}, `}
-          {short(job.value, 2)} {job.unit}
+          {job.unit === '' ? job.detail : `${short(job.value, 2)} ${job.unit}`}
         </span>
       )}
       <Button icon="stop" label={`Stop: ${title.toLowerCase()}`} onClick={() => void send({ do: 'cancel', job: job.job })} />
