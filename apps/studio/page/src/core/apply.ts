@@ -23,6 +23,13 @@ export function applyEvent(event: EngineEvent): void {
         if (event.kind === 'plan') return;
         calmPlan.write(null);
         calmPlan.flush();
+        // Nothing is solved for it either.
+        for (const calm of [calmVerdict, calmMeasures]) {
+          calm.write(null);
+          calm.flush();
+        }
+        calmWarnings.write([]);
+        calmWarnings.flush();
         store.livePlan.value = null;
         store.design.value += 1;
         if (event.kind === 'none') forgetShape();

@@ -12,7 +12,7 @@ import { verdictLine } from '../../src/panels/logic/verdict_line';
 import { listText, sentence } from '../../src/panels/logic/words';
 import { plan, verdict } from './scene';
 
-const known = { connection: 'open', running: true, dragging: false, moving: false } as const;
+const known = { connection: 'open', running: true, dragging: false, moving: false, lookOnly: false } as const;
 
 test('the verdict line is one true sentence', () => {
   const calm = verdictLine({ ...known, verdict: verdict() });
@@ -32,6 +32,7 @@ test('the verdict line is one true sentence', () => {
   // What is on its way has not gone wrong.
   expect(verdictLine({ ...known, moving: true, verdict: verdict() }).tone).toBe('busy');
   expect(verdictLine({ ...known, connection: 'lost', verdict: verdict() }).tone).toBe('bad');
+  expect(verdictLine({ ...known, lookOnly: true, verdict: null }).text).toContain('To look at');
   expect(verdictLine({ ...known, verdict: null }).text).toBe('No shape yet.');
 });
 

@@ -3,9 +3,9 @@
 import { effect, useComputed, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { join, joinOf, makeSelection, type Selection } from '../../core/selection';
-import { branches, hover, namedSets, plan, selection, show, previousShape, flatShape } from '../../core/store';
+import { branches, hover, namedSets, plan, selection, show, previousShape, flatShape, topology } from '../../core/store';
 import { fixed } from '../logic/number_text';
-import { openAtFirst, treeKey, treeRows, type NamedShape, type Row } from '../logic/tree_rows';
+import { openAtFirst, structureRows, treeKey, treeRows, type NamedShape, type Row } from '../logic/tree_rows';
 import { TreeRow } from './tree_row';
 
 export function Tree() {
@@ -13,7 +13,7 @@ export function Tree() {
   const active = useSignal('fabric');
   const list = useRef<HTMLUListElement>(null);
   const rows = useComputed(() => {
-    if (!plan.value) return [];
+    if (!plan.value) return structureRows(topology.value?.rods.map((rod) => rod.name) ?? [], open.value);
     const sets = Object.entries(namedSets.value).map(([name, set]) => ({ name, points: [...set.points], rods: [...set.rods] }));
     return treeRows({ plan: plan.value, shapes: namedShapes(), sets }, open.value);
   });

@@ -51,6 +51,10 @@ interface Branch {
 export const openAtFirst: readonly string[] = ['fabric', 'rods', 'pins', 'links'];
 
 export function treeRows(scene: Scene, open: ReadonlySet<string>): Row[] {
+  return rowsOf(branchesOf(scene), open);
+}
+
+function rowsOf(roots: readonly Branch[], open: ReadonlySet<string>): Row[] {
   const rows: Row[] = [];
   const visit = (branches: readonly Branch[], level: number) => {
     branches.forEach((branch, k) => {
@@ -71,7 +75,7 @@ export function treeRows(scene: Scene, open: ReadonlySet<string>): Row[] {
       if (isOpen) visit(inside, level + 1);
     });
   };
-  visit(branchesOf(scene), 1);
+  visit(roots, 1);
   return rows;
 }
 
@@ -147,6 +151,13 @@ function pointBranch(plan: PlanEvent, name: string, prefix: string): Branch {
   const point = plan.points.find((p) => p.name === name);
   const detail = point ? `${fixed(point.at_mm[0], 1)}, ${fixed(point.at_mm[1], 1)} mm` : '';
   return { key: `${prefix}${name}`, kind: 'point', title: name, detail, points: [name] };
+}
+
+/** Of a structure without a plan: its rods, by name. */
+export function structureRows(rods: readonly string[], open: ReadonlySet<string>): Row[] {
+  if (rods.length === 0) return [];
+  const inside = rods.map((name, k): Branch => ({ key: `mesh-rod:${k}`, kind: 'rod', title: name }));
+  return rowsOf([group('rods', 'Rods', inside)], open);
 }
 
 /** Where a key leads in the tree: the key of the row to go to, or whether to open or close the present one. */

@@ -21,15 +21,18 @@ export interface Known {
   /** Equilibrium follows edits. */
   running: boolean;
   dragging: boolean;
+  /** A structure without a plan. */
+  lookOnly: boolean;
   /** The shape on screen is on its way. */
   moving: boolean;
 }
 
-export function verdictLine({ connection, verdict, running, dragging, moving }: Known): VerdictLine {
+export function verdictLine({ connection, verdict, running, dragging, moving, lookOnly }: Known): VerdictLine {
   if (connection === 'lost') {
     return { tone: 'bad', text: 'The engine does not answer; the page tries again by itself. Your work is saved beside the file.', details: [] };
   }
   if (connection === 'connecting') return { tone: 'busy', text: 'Connecting to the engine.', details: [] };
+  if (lookOnly && !verdict) return { tone: 'calm', text: 'To look at: this structure is shown as its file says.', details: [] };
   // While the shape is on its way, nothing has ended and nothing is wrong.
   if (moving) return { tone: 'busy', text: dragging ? 'Following the drag.' : 'Settling.', details: [] };
   if (!verdict) return { tone: 'calm', text: 'No shape yet.', details: [] };

@@ -20,14 +20,22 @@ export function pictureFile(legends: boolean): string {
   return legends ? `${designStem()}.png` : `${designStem()}-plain.png`;
 }
 
+/** The file that is being written; '': none. */
+export const writing = signal('');
+
 export async function writeExport(format: string): Promise<void> {
+  writing.value = `${designStem()}.${format}`;
   const answer = await send({ do: 'export', format });
+  writing.value = '';
   if (answer.ok) say(String(answer.file), Number(answer.bytes));
 }
 
 export async function writePicture(legends: boolean): Promise<void> {
+  const file = pictureFile(legends);
+  writing.value = file;
   const png_base64 = await takePicture(legends);
   if (png_base64 === null) {
+    writing.value = '';
     fault.value = {
       code: 'no_picture',
       where: '',
@@ -36,8 +44,8 @@ export async function writePicture(legends: boolean): Promise<void> {
     };
     return;
   }
-  const file = pictureFile(legends);
   const answer = await send({ do: 'picture', file, png_base64 });
+  writing.value = '';
   if (answer.ok) say(file, Math.round((png_base64.length * 3) / 4));
 }
 

@@ -1,10 +1,11 @@
 // Other stable shapes of the same design: small pictures, a click flips the structure to that shape.
 
+import { computed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { announce } from '../../core/commands';
 import { send } from '../../core/connection';
 import type { BranchesPack, TopologyPack } from '../../core/protocol';
-import { branches, branchShapes, shownBranch, topology } from '../../core/store';
+import { branches, branchShapes, history, shownBranch, topology } from '../../core/store';
 import { fixed } from '../logic/number_text';
 import { picture, type Line } from '../logic/projection';
 
@@ -16,8 +17,12 @@ export function rodLines(mesh: TopologyPack): Line[] {
   });
 }
 
+/** Number of steps when the shapes were found; another design has other shapes. */
+const foundAt = computed(() => (branches.value ? (history.peek()?.at ?? 0) : -1));
+
 export function BranchStrip() {
-  const found = branches.value?.branches ?? [];
+  const current = foundAt.value === (history.value?.at ?? 0);
+  const found = current ? (branches.value?.branches ?? []) : [];
   const shapes = branchShapes.value;
   const mesh = topology.value;
   if (found.length < 2) return null;

@@ -2,7 +2,7 @@
 
 import { effect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { dragging, lookOnly, planDock, project, toolHint, type PlanDock } from '../../core/store';
+import { dragging, lookOnly, plan, planDock, project, toolHint, type PlanDock } from '../../core/store';
 import { beganBefore } from '../layout_state';
 import { Button, CommandButton } from '../parts/button';
 import type { IconName } from '../parts/icon';
@@ -46,5 +46,5 @@ function hint(): string {
 
 /** Nobody has dragged anything in this browser yet. */
 function isNew(): boolean {
-  return !beganBefore.value && !lookOnly.value;
+  return !beganBefore.value && !lookOnly.value && plan.value !== null;
 }

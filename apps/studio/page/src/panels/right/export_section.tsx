@@ -1,7 +1,7 @@
 // Files to make it from. Each button says what will be written and where.
 
 import { hello, lookOnly, plan } from '../../core/store';
-import { designStem, writeExport, written } from '../make/write';
+import { designStem, writeExport, writing, written } from '../make/write';
 import { Button } from '../parts/button';
 import { Section } from '../parts/section';
 
@@ -23,16 +23,17 @@ export function ExportSection() {
   const folder = hello.value?.folder ?? '';
   return (
     <Section title="Write files">
-      <p class="small soft">Into {folder || 'the folder of the studio'}.</p>
+      <p class="small soft">Into the folder {folder || 'of the studio'}.</p>
       {formats.map(({ format, what, flat }) => (
         <div key={format} class="stack tight">
-          <Button icon="export" disabled={flat && !plan.value} onClick={() => void writeExport(format)}>
+          <Button icon="export" disabled={(flat && !plan.value) || writing.value !== ''} onClick={() => void writeExport(format)}>
             Write {name}.{format}
           </Button>
           <p class="small soft">{what}.</p>
         </div>
       ))}
-      {written.value && <p class="note">{written.value}</p>}
+      {writing.value && <p class="note">Writing {writing.value}.</p>}
+      {!writing.value && written.value && <p class="note">{written.value}</p>}
       {lookOnly.value && <p class="small soft">This is only looked at; a plan can be written in every format.</p>}
     </Section>
   );

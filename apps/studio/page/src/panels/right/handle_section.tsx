@@ -35,8 +35,9 @@ export function HandleSection() {
         <PoseFields />
         {answer?.stale && (
           <p class="note warn">
-            {held?.stale && held.sentence ? sentence(held.sentence) : 'Pulled far: the linear answer no longer holds.'} Accepting it settles
-            the shape here; then go on.
+            {held?.stale && held.sentence
+              ? sentence(held.sentence)
+              : 'Pulled far: the linear answer no longer holds. Accept it and go on from the shape that comes out.'}
           </p>
         )}
         <div class="row">

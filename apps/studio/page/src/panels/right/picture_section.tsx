@@ -1,6 +1,6 @@
 // Pictures of the shape as it stands, with or without its legend, into the folder.
 
-import { pictureFile, writePicture } from '../make/write';
+import { pictureFile, writePicture, writing } from '../make/write';
 import { Button } from '../parts/button';
 import { Section } from '../parts/section';
 
@@ -8,7 +8,7 @@ export function PictureSection() {
   return (
     <Section title="Pictures">
       {[true, false].map((legends) => (
-        <Button key={String(legends)} icon="camera" onClick={() => void writePicture(legends)}>
+        <Button key={String(legends)} icon="camera" disabled={writing.value !== ''} onClick={() => void writePicture(legends)}>
           Write {pictureFile(legends)} {legends ? 'with its legend' : 'without legend'}
         </Button>
       ))}

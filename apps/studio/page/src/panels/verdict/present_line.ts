@@ -1,7 +1,7 @@
 // The verdict line of the present moment.
 
 import { computed } from '@preact/signals';
-import { connection, dragging, running, shape, verdict } from '../../core/store';
+import { connection, dragging, project, running, shape, verdict } from '../../core/store';
 import { verdictLine } from '../logic/verdict_line';
 
 /** Changes only when a shape comes to rest or leaves it, not with every iterate. */
@@ -14,5 +14,6 @@ export const presentLine = computed(() =>
     running: running.value,
     dragging: dragging.value !== 0,
     moving: moving.value,
+    lookOnly: project.value?.kind === 'structure',
   }),
 );
