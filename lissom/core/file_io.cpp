@@ -191,7 +191,7 @@ Status write_file_below(const fs::path& folder, const std::string& name, std::st
   std::error_code code;
   fs::create_directories(path.value().parent_path(), code);
   if (code) return refusal("the folder of \"" + name + "\" cannot be made: " + code.message());
-  const Status status = write_file(path.value(), bytes);
+  Status status = write_file(path.value(), bytes);
   if (status) return status;
   return refusal('"' + name + "\": " + status.error().message, status.error().hint);
 }

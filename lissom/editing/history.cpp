@@ -1,6 +1,6 @@
 #include "lissom/editing/history.h"
 
-#include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -84,6 +84,14 @@ void History::forget_oldest() {
   }
 }
 
+void History::forget_far_models() {
+  for (int step = 0; step <= size(); ++step) {
+    std::shared_ptr<const Model>& model = steps_[static_cast<std::size_t>(step)].model;
+    // Files that a document names may have changed since.
+    if (model && std::abs(step - at_) > limits_.models && model->network_files.empty()) model.reset();
+  }
+}
+
 bool History::add(Step step, Model after) {
   auto text = std::make_shared<const std::string>(write_document(after));
   if (*text == this->text()) return false;
@@ -96,6 +104,7 @@ bool History::add(Step step, Model after) {
   append({std::move(step), std::move(text), std::make_shared<const Model>(std::move(after)), std::move(patch)});
   at_ = size();
   forget_oldest();
+  forget_far_models();
   return true;
 }
 
@@ -117,6 +126,7 @@ Status History::go_to(int step) {
   }
   if (Status s = load(step); !s) return s;
   at_ = step;
+  forget_far_models();
   return {};
 }
 

@@ -19,8 +19,8 @@ namespace lissom {
 /// The oldest steps are forgotten beyond these.
 struct HistoryLimits {
   int steps = 1000;
-  std::size_t bytes =
-      std::size_t{64} << 20;  ///< of all documents as texts; models in memory take about five times that
+  std::size_t bytes = std::size_t{64} << 20;  ///< of all documents, as texts
+  int models = 50;  ///< kept before and after the present step; the others are read from their texts when needed
 };
 
 class History {
@@ -67,7 +67,7 @@ class History {
   struct Entry {
     Step step;
     std::shared_ptr<const std::string> text;
-    std::shared_ptr<const Model> model;  ///< null until it is needed, after reading
+    std::shared_ptr<const Model> model;  ///< null where only the text is kept
     std::string patch;                   ///< RFC 6902, from the lines of the entry before; of the first: empty
   };
 
@@ -75,6 +75,8 @@ class History {
   /// Makes the document of a step, where it is known as a text only.
   Status load(int step);
   void append(Entry entry);
+  /// Documents far from the present one are kept as texts alone.
+  void forget_far_models();
   void forget_oldest();
 
   std::vector<Entry> steps_;  ///< the first is the document as opened

@@ -252,7 +252,7 @@ std::optional<Recovery> ProjectStore::find_recovery() const {
     if (!is_side_file(aside) || aside == aside_ || !entry.is_regular_file(code) || entry.is_symlink(code)) continue;
     const Result<std::string> text = read_file(entry.path());
     if (!text) continue;
-    const Result<SideFile> side = read_side_file(text.value());
+    Result<SideFile> side = read_side_file(text.value());
     if (!side || session_lives(side.value().owner)) continue;
     const SideFile& found = side.value();
     const Result<std::string> saved = read_file_below(folder_, found.file, kLargestDocument);

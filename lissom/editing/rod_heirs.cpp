@@ -84,7 +84,7 @@ std::vector<RodHeirs::Part> RodHeirs::parts_of(const Plan& plan) {
     for (int k = 0; k < pieces; ++k) {
       const int piece = (first + k) % n;
       parts.back().points.push_back(point(piece).name);
-      for (int s = k > 0 && parts.back().line.size() > 0 ? 1 : 0; s <= kSteps; ++s) {
+      for (int s = k > 0 && !parts.back().line.empty() ? 1 : 0; s <= kSteps; ++s) {
         parts.back().line.push_back(curve.point(piece, double(s) / kSteps));
       }
       const bool last = k + 1 == pieces;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
-#include <set>
+#include <memory>
 
 #include "lissom/model/document.h"
 #include "lissom/session/document_file.h"
@@ -143,6 +143,16 @@ TEST(History, ForgetsTheOldestSteps) {
   for (int i = 1; i <= 12; ++i) ASSERT_TRUE(small.add({std::to_string(i), {}, 0}, titled(std::to_string(i))));
   EXPECT_EQ(small.size(), 1);
   EXPECT_EQ(small.model()->title, "12");
+}
+
+TEST(History, KeepsModelsOfStepsNearbyOnly) {
+  History history(titled("0"), {1000, std::size_t{64} << 20, 2});
+  const std::weak_ptr<const Model> first = history.model();
+  for (int i = 1; i <= 3; ++i) ASSERT_TRUE(history.add({std::to_string(i), {}, 0}, titled(std::to_string(i))));
+  EXPECT_TRUE(first.expired());
+  ASSERT_TRUE(history.go_to(0));
+  EXPECT_EQ(write_document(*history.model()), write_document(titled("0")));
+  EXPECT_EQ(texts_of(history).back(), write_document(titled("3")));
 }
 
 TEST(History, MeetsTheDocumentThatItLiesBeside) {
