@@ -77,6 +77,7 @@ export class Connection {
     }
     this.delay = kFirstDelay;
     forgetShape();
+    if (fault.peek()?.code === 'lost') fault.value = null;
     hello.value = answer as unknown as Hello;
     connection.value = 'open';
   }

@@ -1,5 +1,6 @@
 // The pointer over the 3D view: navigation, the handle, clicks, boxes and lassos.
 
+import { effect } from '@preact/signals-core';
 import { orbitAbout, pan, Projector, zoom } from '../core/camera';
 import { dragged, gripAt, pixelAt, type Grip } from '../core/gizmo';
 import { gizmoPlace, moveHandle, setSoftRadius } from '../core/handles';
@@ -107,7 +108,15 @@ export function listen3d(element: HTMLElement): () => void {
     event.preventDefault();
     wheel(event, place(event));
   }, { passive: false, signal: end.signal });
-  return () => end.abort();
+  // What the label spoke of is elsewhere once the camera has moved.
+  const moved = effect(() => {
+    void store.camera.value;
+    label.value = null;
+  });
+  return () => {
+    moved();
+    end.abort();
+  };
 }
 
 function navigate(motion: Motion, dx: number, dy: number, start: Vec2, pivot: Vec3 | null): void {

@@ -78,6 +78,8 @@ export class View {
     private quality: ViewQuality,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: quality.antialias, alpha: true, powerPreference: 'high-performance' });
+    // Asking each shader whether it is well costs a wait for it; they are the same on every machine, and tests see them.
+    this.renderer.debug.checkShaderErrors = false;
     this.ratio = quality.pixelRatio;
     this.rods = new Rods(quality.sides, this.tables, this.palette);
     this.fabric = new Fabric(this.tables, this.palette);
