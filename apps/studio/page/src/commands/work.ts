@@ -29,7 +29,7 @@ export const workCommands: Command[] = [
     ({ mode, title, key }): Command => ({
       id: `mode.${mode}`,
       title,
-      group: 'Help',
+      group: 'View',
       keys: [key],
       checked: () => store.workMode.value === mode,
       run: () => work(mode),

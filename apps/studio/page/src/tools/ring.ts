@@ -49,7 +49,7 @@ export const ringTool: Tool = {
   id: 'ring',
   title: 'Draw a ring',
   keys: ['O'],
-  icon: 'plan',
+  icon: 'ring',
   help: kHelp,
   modes: ['draw'],
   draws: true,

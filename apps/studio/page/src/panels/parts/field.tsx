@@ -3,6 +3,7 @@
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { TargetedKeyboardEvent } from 'preact';
+import { run } from '../../core/commands';
 import type { Answer } from '../../core/protocol';
 import { fixed, withUnit } from '../logic/number_text';
 import { readQuantity } from '../logic/quantity';
@@ -13,6 +14,14 @@ import { Button } from './button';
 /** Letters and arrows mean the entry, not the tools; Ctrl with a letter goes on to the commands. */
 export function keepPlainKeys(event: KeyboardEvent): void {
   if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
+}
+
+/** Ctrl+Z where nothing is being typed means the design, not the text. */
+function historyKey(event: KeyboardEvent): boolean {
+  if (!event.ctrlKey && !event.metaKey) return false;
+  const key = event.key.toLowerCase();
+  if (key === 'z') return run(event.shiftKey ? 'edit.redo' : 'edit.undo');
+  return key === 'y' && run('edit.redo');
 }
 
 export interface FieldProps {
@@ -85,8 +94,12 @@ export function Field(props: FieldProps) {
 
   const pressed = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
     keepPlainKeys(event);
-    if (event.key === 'Enter') {
+    if (typed === undefined && historyKey(event)) {
+      event.preventDefault();
+      event.stopPropagation();
+    } else if (event.key === 'Enter') {
       void accept();
+      event.currentTarget.select();
     } else if (event.key === 'Escape') {
       setTyped(undefined);
       setProblem('');
