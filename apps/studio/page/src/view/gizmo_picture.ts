@@ -3,6 +3,7 @@
 import type { Colour } from '../core/colours';
 import { gripLines, kAxes, type Grip } from '../core/gizmo';
 import type { Projector } from '../core/camera';
+import type { GizmoKind } from '../core/store';
 import type { Vec3 } from '../core/vec';
 import type { Marker } from './markers';
 import type { Palette } from './palette';
@@ -21,8 +22,12 @@ function colourOf(grip: Grip, palette: Palette): Colour {
   return grip === 'scale' || grip === 'screen' || axis < 0 ? palette.select : palette.axes[axis];
 }
 
-/** Draws the gizmo at a place, or takes it away (null). */
-export function drawGizmo(view: View, projector: Projector | null, center: Vec3 | null, hot: Grip | null): void {
+function kindOf(grip: Grip): GizmoKind {
+  return grip === 'scale' ? 'scale' : grip.startsWith('turn') ? 'rotate' : 'move';
+}
+
+/** Draws the gizmo at a place, or takes it away (null). The chosen kind stands out; all of them can be gripped. */
+export function drawGizmo(view: View, projector: Projector | null, center: Vec3 | null, hot: Grip | null, kind: GizmoKind): void {
   if (!projector || !center) {
     view.lines.gizmo.set([]);
     view.markers.tips.set([]);
@@ -35,7 +40,7 @@ export function drawGizmo(view: View, projector: Projector | null, center: Vec3 
   const knobs: Marker[] = [{ place: center, colour: hot === 'screen' ? palette.hover : palette.select, size: hot === 'screen' ? 15 : 12 }];
   for (const { grip, line } of gripLines(projector, center)) {
     const colour = grip === hot ? palette.hover : colourOf(grip, palette);
-    const width = grip === hot ? 4.5 : 2.5;
+    const width = grip === hot ? 4.5 : kindOf(grip) === kind ? 3 : 1.5;
     for (let i = 1; i < line.length; ++i) strokes.push({ from: line[i - 1], to: line[i], colour, width });
     const end = line[line.length - 1];
     if (grip in kAxes) tips.push({ place: end, colour, size: grip === hot ? 22 : 18, turn: kTurns[grip as 'x' | 'y' | 'z'] });

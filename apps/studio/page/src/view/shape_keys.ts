@@ -34,8 +34,10 @@ export function shapeKey(event: KeyboardEvent): boolean {
     typed.value = prompt('');
     return true;
   }
+  // Digits are views until one of these letters has asked for a number.
+  if (typed.peek() === '') return false;
   if (/^[\d.,\-+*/()% ]$/.test(event.key)) return extend(digits() + event.key);
-  if (event.key === 'Backspace' && digits() !== '') return extend(digits().slice(0, -1));
+  if (event.key === 'Backspace') return extend(digits().slice(0, -1));
   return false;
 }
 

@@ -78,7 +78,7 @@ function gizmo(view: View): () => void {
     const held = store.workMode.value === 'shape' ? gizmoPlace() : null;
     void store.dark.value;
     const projector = held ? new Projector(store.camera.value, store.viewSize.value) : null;
-    drawGizmo(view, projector, held, hotGrip.value);
+    drawGizmo(view, projector, held, hotGrip.value, store.gizmoKind.value);
     view.invalidate();
   });
 }
