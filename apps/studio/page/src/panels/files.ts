@@ -64,14 +64,19 @@ async function leaveFor(request: Request): Promise<void> {
 }
 
 async function go(request: Request): Promise<void> {
+  // The shape shows itself while it settles; the answer comes after that.
+  const from = dialog.peek();
+  if (from === 'start') dialog.value = '';
   const answer = await send(request);
-  if (!answer.ok) return;
+  if (!answer.ok) {
+    if (project.peek()?.kind === 'none') dialog.value = from;
+    return;
+  }
   // Found for another design.
   batch(() => {
     modes.value = null;
     shownMode.value = -1;
     fit.value = null;
     selection.value = emptySelection;
-    if (dialog.peek() === 'start') dialog.value = '';
   });
 }

@@ -1,6 +1,6 @@
 // The middle: tools, the shape, other stable shapes, the plan.
 
-import { planDock } from '../../core/store';
+import { planDock, project } from '../../core/store';
 import { PlanView } from '../../view/plan_view';
 import { Viewport } from '../../view/viewport';
 import { planShare } from '../layout_state';
@@ -11,7 +11,8 @@ import { PlanBar } from './plan_bar';
 import { ToolStrip } from './tool_strip';
 
 export function Middle() {
-  const dock = planDock.value;
+  // What is only looked at has no plan.
+  const dock = project.value?.kind === 'structure' ? 'hidden' : planDock.value;
   const both = dock === 'below' || dock === 'beside';
   return (
     <main class="middle">

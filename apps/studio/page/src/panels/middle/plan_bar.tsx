@@ -2,7 +2,7 @@
 
 import { effect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
-import { dragging, lookOnly, plan, planDock, project, toolHint, type PlanDock } from '../../core/store';
+import { dragging, lookOnly, plan, planDock, toolHint, type PlanDock } from '../../core/store';
 import { beganBefore } from '../layout_state';
 import { Button, CommandButton } from '../parts/button';
 import type { IconName } from '../parts/icon';
@@ -40,7 +40,6 @@ export function PlanBar() {
 
 function hint(): string {
   if (toolHint.value !== '') return toolHint.value;
-  if (project.value?.kind === 'structure') return 'A structure to look at: it has no plan to draw in.';
   return isNew() ? 'Drag a point of the plan.' : '';
 }
 

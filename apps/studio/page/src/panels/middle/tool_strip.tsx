@@ -1,7 +1,7 @@
 // What the hand holds: the tools of the mode, what the view shows, and whether the shape follows.
 
 import { run } from '../../core/commands';
-import { activeTool, gizmoKind, running, toolHint, workMode, planDock } from '../../core/store';
+import { activeTool, gizmoKind, planDock, project, running, toolHint, workMode } from '../../core/store';
 import { tools } from '../../tools/index';
 import { Button, CommandButton } from '../parts/button';
 import { isIconName, type IconName } from '../parts/icon';
@@ -14,11 +14,12 @@ const gizmos: ReadonlyArray<{ kind: 'move' | 'rotate' | 'scale'; icon: IconName;
 ];
 
 export function ToolStrip() {
+  const looking = project.value?.kind === 'structure';
   return (
     <div class="strip" role="group" aria-label="Tools">
       <div class="strip-tools">
         {tools
-          .filter((tool) => tool.modes.includes(workMode.value))
+          .filter((tool) => tool.modes.includes(workMode.value) && (!looking || tool.id === 'select' || tool.id === 'lasso'))
           .map((tool) => (
             <Button
               key={tool.id}
@@ -36,22 +37,29 @@ export function ToolStrip() {
       </div>
       <p class="hint soft">{toolHint.value}</p>
       <div class="strip-tools">
-        {planDock.value === 'hidden' && (
+        {planDock.value === 'hidden' && !looking && (
           <Button icon="panel-bottom" label="Show the plan" onClick={() => (planDock.value = 'below')}>
             Plan
           </Button>
         )}
         <CommandButton id="view.fit" icon="fit" />
         <ViewPopover />
-        <Button
-          icon={running.value ? 'pause' : 'play'}
-          label={running.value ? 'Hold: the shape waits' : 'Run: the shape follows every edit'}
-          pressed={!running.value}
-          onClick={() => run('solve.toggle')}
-        >
-          {running.value ? 'Live' : 'On hold'}
-        </Button>
+        {!looking && <Following />}
       </div>
     </div>
+  );
+}
+
+/** Whether the shape follows every edit. */
+function Following() {
+  return (
+    <Button
+      icon={running.value ? 'pause' : 'play'}
+      label={running.value ? 'Hold: the shape waits' : 'Run: the shape follows every edit'}
+      pressed={!running.value}
+      onClick={() => run('solve.toggle')}
+    >
+      {running.value ? 'Live' : 'On hold'}
+    </Button>
   );
 }
