@@ -82,7 +82,7 @@ State pinned_down(const StaticProblem& problem, const State& state, const std::v
 }
 
 void pin_down_response(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins,
-                       MatX& response) {
+                       const MatX& drawn, MatX& response) {
   if (!can_be_laid_down(problem)) return;
   const System& system = *problem.system;
   const int nodes = system.layout.nodes();
@@ -101,9 +101,8 @@ void pin_down_response(const StaticProblem& problem, const State& state, const s
   drawn_centre /= total;
   Mat3 covariance = Mat3::Zero();
   for (int i = 0; i < nodes; ++i) {
-    const Vec3& drawn = system.structure.nodes[static_cast<std::size_t>(i)];
-    covariance +=
-        weight[static_cast<std::size_t>(i)] * (state.position(i) - centre) * (drawn - drawn_centre).transpose();
+    const Vec3 arm = system.structure.nodes[static_cast<std::size_t>(i)] - drawn_centre;
+    covariance += weight[static_cast<std::size_t>(i)] * (state.position(i) - centre) * arm.transpose();
   }
   const Mat3 along = nearest_rotation(covariance);
   const Mat3 symmetric = covariance * along.transpose();
@@ -111,8 +110,9 @@ void pin_down_response(const StaticProblem& problem, const State& state, const s
   for (int i = 0; i < nodes; ++i) {
     const double w = weight[static_cast<std::size_t>(i)];
     const Vec3 arm = along * (system.structure.nodes[static_cast<std::size_t>(i)] - drawn_centre);
-    rhs.topRows<3>() -= w / total * response.middleRows<3>(3 * i);
-    rhs.bottomRows<3>() -= w * skew(arm) * response.middleRows<3>(3 * i);
+    const MatX follows = along * drawn.middleRows<3>(3 * i);
+    rhs.topRows<3>() += w / total * (follows - response.middleRows<3>(3 * i));
+    rhs.bottomRows<3>() -= w * (skew(arm) * response.middleRows<3>(3 * i) - skew(state.position(i) - centre) * follows);
   }
   const Mat3 inertia = symmetric.trace() * Mat3::Identity() - symmetric;
   MatX motions = rhs;

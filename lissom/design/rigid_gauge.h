@@ -21,9 +21,9 @@ struct PinnedNode {
 /// as with fewer than three of them, the one that moves the structure least. As it was where something holds the structure.
 State pinned_down(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins);
 
-/// Takes the rigid motions out of responses (unknowns x any, global axes) at a state that `pinned_down` has returned: they
-/// become those of laid and pinned down shapes.
+/// Takes the rigid motions out of responses (unknowns x m, global axes) at a state that `pinned_down` has returned: they
+/// become those of laid and pinned down shapes. `drawn`: how the nodes of the drawn shape move along, (3 per node x m).
 void pin_down_response(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins,
-                       MatX& response);
+                       const MatX& drawn, MatX& response);
 
 }  // namespace lissom

@@ -23,8 +23,10 @@ Result<MatX> response_matrix(const Design& design, const PlanDesignSpace& space,
       Sensitivity::make(design.model, follower.pose(), follower.problem(), state, follower.factor(), jacobian);
   if (!sensitivity) return sensitivity.error();
   MatX matrix = sensitivity.value().dense();
-  matrix.array().rowwise() *= scales_of(space.parameters()).transpose().array();
-  pin_down_response(follower.problem(), state, pins, matrix);
+  const VecX scales = scales_of(space.parameters());
+  matrix.array().rowwise() *= scales.transpose().array();
+  const MatX drawn = jacobian.inputs.topRows(3 * follower.system().layout.nodes()) * scales.asDiagonal();
+  pin_down_response(follower.problem(), state, pins, drawn, matrix);
   return matrix;
 }
 

@@ -34,8 +34,18 @@ Desk::Desk(ProjectStore store, const Pages& pages, Inbox& inbox, Jobs& jobs, Thr
 
 void Desk::fail(const Error& error) const { pages_.tell_all({{"event", "failed"}, {"error", error_json(error)}}); }
 
+void Desk::leave() {
+  if (project_->history.saved() || project_->history.size() == 0) return store_.forget_autosave();
+  const Status s = store_.leave(*project_, write_kept_state(shape_.snapshot()));
+  if (!s) fail(s.error());
+}
+
 void Desk::take_over(OpenProject project, const std::string& kept_state) {
   interrupt();
+  if (project_) {
+    leave();
+    recovery_ = store_.find_recovery();
+  }
   drag_.reset();
   kept_.clear();
   shape_.forget();
@@ -184,6 +194,8 @@ Result<Json> Desk::edit(const Json& edit) {
 }
 
 void Desk::commit(std::string title, const std::string& edit, Model model, const ShapeSnapshot* shape) {
+  tools_.design_changed();
+  branches_.forget();
   if (const Status s = show(std::make_shared<const Model>(model), 0, shape); !s) return fail(s.error());
   add_step(std::move(title), edit, std::move(model));
 }
@@ -302,10 +314,10 @@ Status Desk::save(const std::string& file, ProjectStore::Replace replace) {
   return {};
 }
 
-void Desk::autosave(const OpenProject& project, ProjectStore::When when) {
+void Desk::autosave(const OpenProject& project) {
   // The shape as text is worth making only when it is to be written.
   const double now = seconds_now();
-  if (when == ProjectStore::When::kDue && now - autosaved_ < kBetweenSaves) return;
+  if (now - autosaved_ < kBetweenSaves) return;
   autosaved_ = now;
   const Status s = store_.autosave(project, write_kept_state(shape_.snapshot()), ProjectStore::When::kNow);
   if (!s) fail(s.error());
@@ -339,8 +351,7 @@ Status Desk::recover(bool take) {
 void Desk::close() {
   shape_.stop();
   if (!project_) return;
-  if (project_->history.saved()) return store_.forget_autosave();
-  autosave(*project_, ProjectStore::When::kNow);
+  leave();
 }
 
 }  // namespace lissom

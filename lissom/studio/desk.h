@@ -97,7 +97,9 @@ class Desk {
   nlohmann::json project_json() const;
   nlohmann::json plan_json() const;
   nlohmann::json history_json() const;
-  void autosave(const OpenProject& project, ProjectStore::When when = ProjectStore::When::kDue);
+  void autosave(const OpenProject& project);
+  /// The project at hand is left: what of it is not saved can be found again.
+  void leave();
   void fail(const Error& error) const;
 
   ProjectStore store_;

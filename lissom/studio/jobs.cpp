@@ -45,7 +45,7 @@ bool Jobs::cancel(const std::string& name) {
   const std::scoped_lock lock(in_use_);
   const auto meant = [&](const std::shared_ptr<Job>& job) { return job && (name.empty() || job->name == name); };
   bool any = false;
-  if (meant(present_)) present_->cancelled = any = true;
+  if (meant(present_)) any = !present_->cancelled.exchange(true);
   if (meant(waiting_)) {
     tell(*waiting_, "cancelled", {.task = {}, .detail = "it had not begun"});
     waiting_.reset();
