@@ -1,4 +1,7 @@
 """`lissom studio` as it is built: its page, who gets in, what hostile clients get, how it ends and comes back."""
+import http.client
+import os
+import pty
 import random
 import re
 import signal
@@ -245,6 +248,37 @@ class ComingAndGoing(StudioTest):
         self.assertIn("--folder", self.run_tool("studio", "--folder", "absent", "--no-browser", code=4)[1])
         self.write("broken.lissom", "{")
         self.assertIn("broken.lissom", self.run_tool("studio", "broken.lissom", "--no-browser", "--port", "0", code=(3, 4))[1])
+
+    def test_at_a_terminal_it_opens_a_browser_and_prints_more_addresses(self):
+        opener = self.folder / "xdg-open"
+        opener.write_text('#!/bin/sh\nprintf %s "$1" >opened.part && mv opened.part opened\n')
+        opener.chmod(0o755)
+        child, terminal = pty.fork()
+        if child == 0:
+            os.chdir(self.folder)
+            places = {"DISPLAY": ":0", "PATH": f"{self.folder}:{os.environ['PATH']}", "XDG_RUNTIME_DIR": str(self.folder),
+                      "XDG_STATE_HOME": str(self.folder)}
+            os.execve(TOOL, [TOOL, "studio", "--port", "0"], {**os.environ, **places})
+        self.addCleanup(os.close, terminal)
+        shown = ""
+        while "Ctrl-C: end" not in shown:
+            shown += os.read(terminal, 4096).decode()
+        os.write(terminal, b"\n")
+        while len(re.findall(r"Studio: (\S+)\r", shown)) < 2:
+            shown += os.read(terminal, 4096).decode()
+        deadline = time.monotonic() + 5
+        while not (self.folder / "opened").exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        addresses = [*re.findall(r"Studio: (\S+)\r", shown), (self.folder / "opened").read_text()]
+        self.assertEqual(len(set(addresses)), 3)
+        for address in addresses:
+            host, target = address.removeprefix("http://").split("/", 1)
+            connection = http.client.HTTPConnection(host, timeout=20)
+            connection.request("GET", "/" + target)
+            self.assertEqual(connection.getresponse().status, 303, address)
+            connection.close()
+        os.write(terminal, b"\x03")
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 0)
 
     def test_help_has_an_example(self):
         done = subprocess.run([TOOL, "studio", "--help"], capture_output=True, text=True, check=True, timeout=20)
