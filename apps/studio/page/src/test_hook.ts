@@ -72,10 +72,10 @@ function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | nul
     const [x, y] = toPixel(store.planCamera.peek(), box, plan.points[index].at_mm);
     return [box.left + x, box.top + y];
   }
-  const node = store.topology.peek()?.point_nodes[index] ?? kNoNode;
-  const shape = store.shape.peek();
-  if (node === kNoNode || !shape) return null;
-  const at = new Projector(store.camera.peek(), store.viewSize.peek()).point(row3(shape.positions, node));
+  const picture = store.picture.peek();
+  const node = picture?.topology.point_nodes[index] ?? kNoNode;
+  if (node === kNoNode || !picture) return null;
+  const at = new Projector(store.camera.peek(), store.viewSize.peek()).point(row3(picture.shape.positions, node));
   return at && [box.left + at[0], box.top + at[1]];
 }
 

@@ -117,7 +117,7 @@ function sameDesign(before: PlanEvent | null, now: PlanEvent): boolean {
 /** Forgets mesh and shape: another engine counts its meshes anew. */
 export function forgetShape(): void {
   batch(() => {
-    store.topology.value = store.shape.value = store.settledShape.value = null;
+    store.topology.value = store.shape.value = store.settledShape.value = store.picture.value = null;
     store.flatShape.value = store.previousShape.value = store.preview.value = null;
     store.modeShapes.value = store.branchShapes.value = null;
   });
@@ -152,13 +152,18 @@ function renameRods(): void {
   const topology = store.topology.peek();
   if (!topology || store.plan.peek()?.rods.length !== planRods.count) return;
   const rods = namedRods(topology);
-  if (rods.some((rod, i) => rod.plan_rod !== topology.rods[i].plan_rod)) store.topology.value = { ...topology, rods };
+  if (rods.every((rod, i) => rod.plan_rod === topology.rods[i].plan_rod)) return;
+  const renamed = { ...topology, rods };
+  store.topology.value = renamed;
+  const shown = store.picture.peek();
+  if (shown?.topology.topology === renamed.topology) store.picture.value = { ...shown, topology: renamed };
 }
 
 const kNoField: FieldInfo = { name: '', unit: '', low: 0, high: 1, diverging: false };
 
 function applyShape(pack: ShapePack): void {
-  if (pack.topology !== store.topology.peek()?.topology) return;
+  const topology = store.topology.peek();
+  if (!topology || pack.topology !== topology.topology) return;
   // Without a field the engine says nothing about one.
   pack.field_rods ??= kNoField;
   pack.field_fabric ??= kNoField;
@@ -168,6 +173,7 @@ function applyShape(pack: ShapePack): void {
     store.rodField.value = pack.field_rods.name;
     store.fabricField.value = pack.field_fabric.name;
     store.shape.value = pack;
+    store.picture.value = { topology, shape: pack };
     if (pack.settled) store.settledShape.value = pack;
   });
 }

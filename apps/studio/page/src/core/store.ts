@@ -62,6 +62,9 @@ export const design = signal(0);
  *  events above, which carry the numbers that people read. */
 export const topology = signal<TopologyPack | null>(null);
 export const shape = signal<ShapePack | null>(null);
+/** Mesh and shape that belong together. Between a new mesh and its first shape it is still the old pair, which is what is
+ *  on the screen: pictures and picking use this. */
+export const picture = signal<{ topology: TopologyPack; shape: ShapePack } | null>(null);
 /** The newest shape that was settled. */
 export const settledShape = signal<ShapePack | null>(null);
 /** The plan itself as a shape, for the overlay "flat". */

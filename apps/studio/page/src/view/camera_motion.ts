@@ -80,13 +80,13 @@ function fit(camera: Camera, places: ArrayLike<number> | null): Camera {
 }
 
 function everything(): ArrayLike<number> | null {
-  return store.shape.peek()?.positions ?? null;
+  return store.picture.peek()?.shape.positions ?? null;
 }
 
 function selectedPlaces(): number[] | null {
-  const topology = store.topology.peek();
-  const shape = store.shape.peek();
-  if (!topology || !shape) return null;
+  const picture = store.picture.peek();
+  if (!picture) return null;
+  const { topology, shape } = picture;
   const { points, rods, nodes } = store.selection.peek();
   const wanted = new Set(nodes);
   for (const name of points) {

@@ -31,11 +31,11 @@ interface Scene {
 let cached: { camera: Camera; size: Screen; shape: ShapePack; scene: Scene } | null = null;
 
 export function scene(): Scene | null {
-  const topology = store.topology.peek();
-  const shape = store.shape.peek();
+  const picture = store.picture.peek();
   const camera = store.camera.peek();
   const size = store.viewSize.peek();
-  if (!topology || !shape || shape.topology !== topology.topology) return null;
+  if (!picture) return null;
+  const { topology, shape } = picture;
   if (!cached || cached.camera !== camera || cached.shape !== shape || cached.size !== size) {
     const projector = new Projector(camera, size);
     cached = { camera, size, shape, scene: { topology, shape, projector, screen: projector.all(shape.positions) } };

@@ -33,12 +33,14 @@ export function sync(view: View): () => void {
       view.setQuality(low ? kLowQuality : highQuality());
     }),
     effect(() => {
-      const made = store.topology.value;
-      const shape = store.shape.value;
-      if (!made) shown.value = null;
-      if (!made || !shape || shape.topology !== made.topology) return;
-      if (shown.peek()?.topology !== made.topology) view.setTopology(made);
-      shown.value = made;
+      const { value } = store.picture;
+      if (!value) {
+        shown.value = null;
+        return;
+      }
+      const { topology, shape } = value;
+      if (shown.peek()?.topology !== topology.topology) view.setTopology(topology);
+      shown.value = topology;
       view.hurry();
       view.setShape(shape, fieldOf(shape.field_rods, store.rodField.value) !== null, fieldOf(shape.field_fabric, store.fabricField.value) !== null);
     }),
@@ -52,7 +54,7 @@ export function sync(view: View): () => void {
     }),
     effect(() => view.setFaded(store.verdict.value?.shown === 'last good' ? 0.5 : 0)),
     effect(() => {
-      const some = store.topology.value !== null && store.shape.value !== null;
+      const some = store.picture.value !== null;
       view.rods.mesh.visible = some && store.show.rods.value;
       view.fabric.mesh.visible = some && store.show.fabric.value;
       view.fabric.showLines(some && store.show.mesh.value);
@@ -73,8 +75,7 @@ function syncMarks(view: View, topology: TopologyPack | null): void {
   const hovered = store.hover.value;
   const selected = nodesOf(store.selection.value, store.pointIndex.value, topology).filter((node) => 2 * node < topology.plan_places.length);
   // While something moves, the weights of a moment ago are good enough.
-  const shape = store.shape.peek();
-  const positions = shape?.topology === topology.topology ? shape.positions : null;
+  const positions = store.picture.peek()?.shape.positions ?? null;
   const soft = store.workMode.value === 'shape' && selected.length > 0 && positions;
   const weights = soft ? softWeights(positions, selected, store.softRadius.value) : null;
   const isSelected = new Set(store.selection.value.nodes);

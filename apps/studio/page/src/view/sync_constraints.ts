@@ -12,8 +12,6 @@ export function syncConstraints(view: View): () => void {
   const ends = [
     effect(() => {
       const now = present();
-      // Between a new mesh and its first shape the last picture stays.
-      if (!now && store.shape.value && store.topology.value) return;
       view.markers.points.set(now && store.show.points.value ? pointMarkers(view, now) : []);
       view.markers.pins.set(now && store.show.constraints.value ? pinMarkers(view, now) : []);
       view.lines.links.set(now && store.show.constraints.value ? linkStrokes(view, now) : []);
@@ -36,10 +34,9 @@ interface Present {
 }
 
 function present(): Present | null {
-  const topology = store.topology.value;
-  const shape = store.shape.value;
   void store.dark.value;
-  return topology && shape && shape.topology === topology.topology ? { topology, positions: shape.positions } : null;
+  const { value } = store.picture;
+  return value && { topology: value.topology, positions: value.shape.positions };
 }
 
 function placeOf(name: string, now: Present): Vec3 | null {

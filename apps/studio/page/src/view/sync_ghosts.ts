@@ -16,7 +16,7 @@ export function syncGhosts(view: View): () => void {
   };
   const ofPack = (name: GhostName, shown: () => boolean, pack: () => { topology: number; positions: Float32Array } | null) =>
     effect(() => {
-      const topology = store.topology.value;
+      const topology = store.picture.value?.topology ?? null;
       const found = shown() ? pack() : null;
       put(name, topology, found && found.topology === topology?.topology ? found.positions : null);
     });
@@ -25,7 +25,7 @@ export function syncGhosts(view: View): () => void {
     ofPack('previous', () => store.show.previous.value, () => store.previousShape.value),
     ofPack('preview', () => store.show.preview.value, () => (moves(store.preview.value?.positions) ? store.preview.value : null)),
     effect(() => {
-      const topology = store.topology.value;
+      const topology = store.picture.value?.topology ?? null;
       const pack = store.branchShapes.value;
       const shown = store.shownBranch.value;
       const length = 3 * ((topology?.plan_places.length ?? 0) / 2);
@@ -54,8 +54,7 @@ function breathe(view: View): () => void {
   let places = new Float32Array(0);
   const step = (now: number) => {
     asked = 0;
-    const topology = store.topology.peek();
-    const shape = store.shape.peek();
+    const { topology = null, shape = null } = store.picture.peek() ?? {};
     const pack = store.modeShapes.peek();
     const mode = store.shownMode.peek();
     const length = shape?.positions.length ?? 0;
@@ -75,7 +74,7 @@ function breathe(view: View): () => void {
     if (moves) asked = requestAnimationFrame(step);
   };
   const end = effect(() => {
-    void [store.topology.value, store.shape.value, store.modeShapes.value, store.shownMode.value];
+    void [store.picture.value, store.modeShapes.value, store.shownMode.value];
     void [store.modeAmplitude.value, store.modeBreathes.value, store.reducedMotion.value];
     if (asked === 0) asked = requestAnimationFrame(step);
   });

@@ -75,6 +75,7 @@ beforeEach(() => {
   frames = [];
   store.connection.value = 'connecting';
   store.topology.value = store.shape.value = store.plan.value = store.livePlan.value = null;
+  store.picture.value = null;
   store.dragging.value = 0;
   store.fault.value = null;
 });
@@ -173,7 +174,7 @@ describe('connection', () => {
     expect(store.selection.value.nodes.size).toBe(0);
     wire.onmessage?.({ data: shapePack(5, 1) });
     frames.forEach((run) => run());
-    expect(store.shape.value).toBeNull();
+    expect(store.picture.value).toBeNull();
     wire.say({ ...plan(), revision: 2 });
     expect([...store.selection.value.points]).toEqual(['a']);
   });
