@@ -94,25 +94,25 @@ Result<RodMeshExample> dinosaur_example() {
   body.name = "body";
   body.kind = DeformerBrief::Kind::kSolid;
   body.modulus = 4e4;
-  body.poisson_ratio = 0.4;
+  body.poisson_ratio = 0.3;
   body.density = 300;
   body.cell = 0.009;
   DeformerRegion head;
   head.low = from(0.066, -kFar, 0.09);
   head.high = Vec3::Constant(kFar);
   head.density = 8;
-  body.regions = {softer(from(-kFar, -kFar, 0.02), from(-0.055, kFar, kFar), 0.15, 0.015),
-                  softer(from(-0.05, -kFar, 0.026), from(0.05, kFar, 0.038), 0.15, 0.008), head};
+  body.regions = {softer(from(-kFar, -kFar, 0.02), from(-0.055, kFar, kFar), 0.2, 0.025),
+                  softer(from(-0.05, -kFar, 0.026), from(0.05, kFar, 0.038), 0.2, 0.008), head};
   p.deformers = {body};
   const Selector feet = beyond(2, 0.006, -1), tail = beyond(0, -0.092, -1), nose = beyond(0, 0.088, 1);
   const Selector front_feet = box(from(0, -kFar, -kFar), from(kFar, kFar, 0.006));
   const Selector right_rear = box(from(-kFar, -kFar, -kFar), from(0, 0, 0.006));
   const Selector left_rear = box(from(-kFar, 0, -kFar), from(0, kFar, 0.006));
-  p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.1, 0, 0.25))}),
-             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.3, 0))}),
-             pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.05))}),
-             pose("looking aside", "body", {feet}, {pull(nose, from(0, 0.35, 0))}),
-             pose("foot lifted", "body", {front_feet, right_rear}, {pull(left_rear, from(-0.3, 0.1, 0.5))})};
+  p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.14, 0, 0.36))}),
+             pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.56, 0))}),
+             pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.25))}),
+             pose("looking aside", "body", {feet}, {pull(nose, from(0, 0.62, 0))}),
+             pose("foot lifted", "body", {front_feet, right_rear}, {pull(left_rear, from(-0.26, 0.08, 0.19))})};
   p.poses[2].pose.gravity = Gravity{};
   made.surface = std::move(surface).value();
   return made;
@@ -131,6 +131,7 @@ Result<RodMeshExample> smiley_example() {
   p.materials = {soft};
   p.rods.material = soft.name;
   p.rods.edges = 4;
+  p.rods.r_n = 4e-3;  // high ribs keep a sheet in its plane
   p.design.radii = Vec2(1e-3, 4e-3);
   p.print.bed = Vec3(0.34, 0.34, 0.6);               // EOS P 396
   constexpr double kHalf = 0.125, kPulled = 0.0625;  // m
@@ -138,6 +139,11 @@ Result<RodMeshExample> smiley_example() {
   smile.pose.name = "smile";
   smile.pose.supports = {hold(beyond(0, -kHalf + 0.004, -1), SupportKind::kPin),
                          hold(beyond(0, kHalf - 0.004, 1), SupportKind::kPin)};
+  Support table;  // everything slides on it
+  table.at = box(Vec3::Constant(-kFar), Vec3::Constant(kFar));
+  table.kind = SupportKind::kFree;
+  table.directions = {Vec3::UnitZ()};
+  smile.pose.supports.push_back(table);
   // What a pull does to an even sheet, and what the drawing hand adds at the mouth.
   const auto pulled = [&](double x, double y) {
     const double along = (x + kHalf) / (2 * kHalf);

@@ -37,8 +37,10 @@ void print_project(const DesignedProject& done) {
                       in_mm(pose.before)));
   }
   if (!done.poses.empty()) {
-    print(fmt::format("  all designed poses: miss by {}, at the start {}\n", in_mm(done.rms_after(false)),
-                      in_mm(done.rms_before(false))));
+    print(fmt::format(
+        "  all designed poses: miss by {}, at the start {}{}\n", in_mm(done.rms_after(false)),
+        in_mm(done.rms_before(false)),
+        std::isfinite(done.rms_radii_only()) ? ", with other radii alone " + in_mm(done.rms_radii_only()) : ""));
   }
   for (const std::string& note : done.notes) print("  note: " + note + "\n");
   if (done.print) {

@@ -16,6 +16,7 @@ constexpr double kArmijo = 1e-4;
 constexpr double kFlat = 1e-14;      // of |p| |Hp|: less curvature along p than this is none
 constexpr double kLeastLike = 1e-6;  // of the largest diagonal entry, added to the preconditioner
 constexpr double kShare = 0.5;       // of the tolerance, to which one run of conjugate gradients goes
+constexpr double kShortest = 0.03;   // of a step, clipped: below it another direction is taken
 
 struct Move {
   VecX w, image;  // and H w
@@ -39,7 +40,8 @@ class BoxCg {
       look_at_bounds();
       if (!(out_.gradient_left > tolerance) || out_.products >= max_products_) return out_;
       if (like_.size() > 0) factor_.prepare(like_, free_, largest_);
-      if (!take(run(kShare * tolerance)) && !take(steepest())) return out_;
+      const bool moved = take(run(kShare * tolerance), Else::kNothing);
+      if (!moved && !take(steepest(), Else::kAsFits)) return out_;
     }
   }
 
@@ -100,12 +102,13 @@ class BoxCg {
     return m;
   }
 
-  /// Down the gradient to the least value of the model or to the first bound, which is always lower.
+  /// Down the gradient to the least value of the model, or where it has none to the first bound.
   Move steepest() {
     const VecX p = -on_free(gradient_), image = times_(p);
     ++out_.products;
-    const double curvature = p.dot(image), within = room(p, std::numeric_limits<double>::max());
-    const double a = curvature > 0 ? std::min(within, p.squaredNorm() / curvature) : within;
+    const double curvature = p.dot(image);
+    const double a = curvature > kFlat * p.norm() * image.norm() ? p.squaredNorm() / curvature
+                                                                 : room(p, std::numeric_limits<double>::max());
     return {a * p, a * image};
   }
 
@@ -132,20 +135,22 @@ class BoxCg {
     return true;
   }
 
-  /// Moves by w, clipped and halved until the model falls; or else, and when nothing is clipped, by as much of it as fits.
-  bool take(const Move& m) {
+  enum class Else { kNothing, kAsFits };
+
+  /// Moves by w, clipped and halved until the model falls by enough. Where it does at no length, nothing is moved, or as much
+  /// of w as fits: that often ends at a single bound, of hundreds on the way.
+  bool take(const Move& m, Else otherwise) {
     if ((m.w.array() == 0).all()) return false;
-    for (double a = 1; a > 1e-3; a *= 0.5) {
-      const VecX trial = (out_.x + a * m.w).cwiseMax(lower_).cwiseMin(upper_), w = trial - out_.x;
-      if (room(m.w, a) >= a) break;  // whole: below
-      const VecX image = times_(w);
+    double a = 1;
+    for (; a > kShortest && room(m.w, a) < a && out_.products < max_products_; a *= 0.5) {
+      const VecX w = (out_.x + a * m.w).cwiseMax(lower_).cwiseMin(upper_) - out_.x, image = times_(w);
       ++out_.products;
       const double slope = gradient_.dot(w), change = slope + 0.5 * w.dot(image);
       if (change <= kArmijo * slope && slope < 0) return take_whole(w, image, change);
-      if (out_.products >= max_products_) break;
     }
-    const double a = room(m.w, 1);
-    const VecX w = snapped(a * m.w), image = a * m.image;
+    const double fits = room(m.w, 1);
+    if (fits < a && otherwise == Else::kNothing && out_.products < max_products_) return false;
+    const VecX w = snapped(fits * m.w), image = fits * m.image;
     return take_whole(w, image, gradient_.dot(w) + 0.5 * w.dot(image));
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lissom/design/brief_goal.h"
+#include "lissom/design/clearance.h"
 #include "lissom/design/parameter_goals.h"
 
 namespace lissom {
@@ -62,6 +63,10 @@ class Places {
 Status add_wishes(const Brief& brief, const BriefSpace& space, BriefGoals& result) {
   if (brief.wishes.closeness > 0) {
     result.wishes.push_back(make_closeness(space.space->parameters(), space.space->start(), brief.wishes.closeness));
+  }
+  if (brief.wishes.clearance > 0) {
+    ParameterGoal room = make_clearance(*space.base, *space.space, brief.wishes.clearance);
+    if (room.rows.rows() > 0) result.wishes.push_back(std::move(room));
   }
   if (!(brief.wishes.smoothness > 0)) return {};
   if (space.neighbours.empty()) {

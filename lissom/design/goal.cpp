@@ -129,4 +129,16 @@ void add_goal_second_order(const Goal& goal, const PoseShape& shape, SecondOrder
   goal.objective->curvature(shape, f.cwiseProduct(deviation), dq, dn, by_q, by_numbers);
 }
 
+VecX wish_residual(const ParameterGoal& wish, const VecX& p) {
+  VecX deviation = wish.rows * (p - wish.target);
+  if (wish.level.size() > 0) deviation -= wish.level;
+  return std::sqrt(wish.weight) * goal_residual(wish.kind, deviation);
+}
+
+SparseMatrix wish_jacobian(const ParameterGoal& wish, const VecX& p) {
+  if (wish.kind == GoalKind::kReach) return std::sqrt(wish.weight) * wish.rows;
+  const VecX counts = wish_residual(wish, p).unaryExpr([](double r) { return r == 0 ? 0.0 : 1.0; });
+  return SparseMatrix(std::sqrt(wish.weight) * counts.asDiagonal() * wish.rows).pruned();
+}
+
 }  // namespace lissom

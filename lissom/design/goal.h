@@ -68,12 +68,20 @@ enum class SecondOrder {
 void add_goal_second_order(const Goal& goal, const PoseShape& shape, SecondOrder part, const VecX& dq, const VecX& dn,
                            VecX& by_q, VecX& by_numbers);
 
-/// Residuals r = sqrt(weight) rows (p - target) / scale: smooth parameters, or few changes. `scale` is in the rows.
+/// Residuals r = sqrt(weight) (rows (p - target) - level), or their positive or negative part: smooth parameters, few changes,
+/// rods that keep apart. Scales are in the rows.
 struct ParameterGoal {
   std::string name;
   SparseMatrix rows;  ///< (residuals x m)
   VecX target;        ///< SI, (m)
   double weight = 1;
+  GoalKind kind = GoalKind::kReach;
+  VecX level = {};  ///< (residuals); empty: 0
 };
+
+/// The residuals at parameters p (m, SI).
+VecX wish_residual(const ParameterGoal& wish, const VecX& p);
+/// Derivatives of these residuals (residuals x m): no entries where nothing counts.
+SparseMatrix wish_jacobian(const ParameterGoal& wish, const VecX& p);
 
 }  // namespace lissom

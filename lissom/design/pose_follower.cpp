@@ -7,6 +7,14 @@
 
 namespace lissom {
 
+namespace {
+
+/// Of an attempt. What follows its prediction takes a handful; what takes more has lost its way, most often past a fold, and
+/// a shorter step costs less than to find out.
+constexpr int kMostIterations = 60;
+
+}  // namespace
+
 Result<std::unique_ptr<PoseFollower>> PoseFollower::make(const Design& design, int pose, const SolveOptions& options,
                                                          const Context& context) {
   std::unique_ptr<PoseFollower> follower(new PoseFollower(design, pose, options));
@@ -70,7 +78,7 @@ PoseEnd PoseFollower::attempt(const Design& changed) {
   LISSOM_ASSERT(at_point_);
   if (const Status s = renew(changed); !s) return {Outcome::kNoDesign, s.error().text()};
   ++solves_;
-  attempted_ = solver_->resettle(point_);
+  attempted_ = solver_->resettle(point_, kMostIterations);
   const std::string& name = pose_of(changed).name;
   PoseEnd end = end_of(attempted_, name);
   const Following& following = solver_->following();

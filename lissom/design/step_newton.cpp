@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "lissom/design/box_cg.h"
 #include "lissom/design/step_method.h"
@@ -11,6 +12,23 @@
 namespace lissom {
 
 namespace {
+
+constexpr int kProbes = 12;          // of the sizes of columns
+constexpr double kLeastSize = 1e-3;  // of the largest: columns below are not told apart
+
+/// Norms of the columns of J, about, at least a share of the largest: the mean of (J'w)_i^2 over signs w at random, always the
+/// same ones [Hutchinson 1990].
+VecX column_sizes(ReducedProblem& problem) {
+  std::mt19937 random(1);
+  VecX squares = VecX::Zero(problem.size()), w(problem.residual().size());
+  for (int k = 0; k < kProbes; ++k) {
+    for (double& sign : w) sign = (random() & 1u) != 0 ? 1 : -1;
+    squares += problem.jacobian_transposed_times(w).cwiseAbs2();
+  }
+  const VecX size = (squares / kProbes).cwiseSqrt();
+  const double largest = size.maxCoeff();
+  return largest > 0 ? VecX(size.cwiseMax(kLeastSize * largest)) : VecX::Ones(size.size());
+}
 
 class ByProducts final : public StepMethod {
  public:
@@ -29,13 +47,8 @@ class ByProducts final : public StepMethod {
     }
     // The nearer the end, the more exactly: converges superlinearly, in the end quadratically, for few products before.
     const double share = std::min(work.options.newton_forcing, std::sqrt(work.record.gradient / state.first_gradient));
-    const MatX none;
-    const bool exact = second_ == Second::kExact;
-    const MatX& like_h = exact && work.options.preconditioner == NewtonPreconditioner::kGram ? problem.gram() : none;
-    const auto times = [&problem, exact](const VecX& v) -> VecX {
-      return exact ? problem.hessian_times(v) : problem.jacobian_transposed_times(problem.jacobian_times(v));
-    };
-    const BoxCgSolution model = solve_box_cg(times, g, lower, upper, like_h, share * left, work.options.max_products);
+    const BoxCgSolution model = second_ == Second::kExact ? exact_model(work, lower, upper, share * left)
+                                                          : gauss_newton_model(work, lower, upper, share * left);
     work.record.hessian_products = model.products;
     const bool cut = model.negative_curvature || model.x.cwiseAbs().maxCoeff() >= state.cap * (1 - 1e-9);
     if (work.promises_too_little(model.decrease, cut ? Iteration::Cut::kCut : Iteration::Cut::kWhole)) {
@@ -48,6 +61,34 @@ class ByProducts final : public StepMethod {
   }
 
  private:
+  static BoxCgSolution exact_model(Iteration& work, const VecX& lower, const VecX& upper, double tolerance) {
+    ReducedProblem& problem = work.problem;
+    const MatX none;
+    const bool gram = work.options.preconditioner == NewtonPreconditioner::kGram;
+    const auto times = [&problem](const VecX& v) -> VecX { return problem.hessian_times(v); };
+    return solve_box_cg(times, problem.gradient(), lower, upper, gram ? problem.gram() : none, tolerance,
+                        work.options.max_products);
+  }
+
+  /// In parameters over whose scale all residuals change by about 1: radii and places of a rest shape may differ by decades.
+  static BoxCgSolution gauss_newton_model(Iteration& work, const VecX& lower, const VecX& upper, double tolerance) {
+    ReducedProblem& problem = work.problem;
+    const VecX size = column_sizes(problem), s = size.cwiseInverse();
+    const auto times = [&](const VecX& v) -> VecX {
+      return s.cwiseProduct(problem.jacobian_transposed_times(problem.jacobian_times(s.cwiseProduct(v))));
+    };
+    const VecX g = s.cwiseProduct(problem.gradient());
+    const VecX low = size.cwiseProduct(lower), high = size.cwiseProduct(upper);
+    const double share = tolerance / std::max(problem.gradient().cwiseAbs().maxCoeff(), 1e-300);
+    BoxCgSolution model =
+        solve_box_cg(times, g, low, high, {}, share * g.cwiseAbs().maxCoeff(), work.options.max_products);
+    for (Eigen::Index i = 0; i < s.size(); ++i) {
+      const double x = model.x[i];
+      model.x[i] = x == low[i] ? lower[i] : x == high[i] ? upper[i] : std::clamp(s[i] * x, lower[i], upper[i]);
+    }
+    return model;
+  }
+
   Second second_;
 };
 

@@ -126,7 +126,7 @@ VecX StructureProblem::residual_at(const Design& design, const VecX& p, const st
     }
   });
   for (std::size_t w = 0; w < wishes_.size(); ++w) {
-    parts[effective_.size() + w] = std::sqrt(wishes_[w].weight) * (wishes_[w].rows * (p - wishes_[w].target));
+    parts[effective_.size() + w] = wish_residual(wishes_[w], p);
   }
   // In the order of the linearizations: pose by pose.
   VecX r(0);
@@ -150,6 +150,8 @@ void StructureProblem::settle_point() {
   std::vector<const State*> states;
   for (const auto& pose : poses_) states.push_back(&pose->state());
   for_poses([&](int k) { poses_[static_cast<std::size_t>(k)]->stand_at_point(design_); });
+  wish_rows_.clear();
+  for (const ParameterGoal& wish : wishes_) wish_rows_.push_back(wish_jacobian(wish, p_) * scale_.asDiagonal());
   residual_ = residual_at(design_, p_, states);
   value_ = 0.5 * residual_.squaredNorm();
 }

@@ -119,7 +119,8 @@ class StructureProblem final : public ReducedProblem {
   // Derivatives at the point, made when asked for.
   DesignJacobian jacobian_;
   std::vector<PoseLinearization> linear_;
-  std::vector<MatX> dense_;  // per pose, by x
+  std::vector<MatX> dense_;              // per pose, by x
+  std::vector<SparseMatrix> wish_rows_;  // of the residual, by x
   std::optional<VecX> gradient_;
   std::optional<MatX> gram_;
   DesignEffort effort_;

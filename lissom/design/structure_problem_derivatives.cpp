@@ -65,10 +65,7 @@ const MatX& StructureProblem::gram() {
   MatX sum = MatX::Zero(size(), size());
   for (const MatX& part : parts) sum += part;
   sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
-  for (const ParameterGoal& wish : wishes_) {
-    const SparseMatrix rows = std::sqrt(wish.weight) * wish.rows * scale_.asDiagonal();
-    sum += MatX(SparseMatrix(rows.transpose() * rows));
-  }
+  for (const SparseMatrix& rows : wish_rows_) sum += MatX(SparseMatrix(rows.transpose() * rows));
   gram_ = std::move(sum);
   return *gram_;
 }
@@ -91,9 +88,9 @@ VecX StructureProblem::jacobian_times(const VecX& v) {
     all.segment(at, part.size()) = part;
     at += part.size();
   }
-  for (const ParameterGoal& wish : wishes_) {
-    all.segment(at, wish.rows.rows()) = std::sqrt(wish.weight) * (wish.rows * by_p);
-    at += wish.rows.rows();
+  for (const SparseMatrix& rows : wish_rows_) {
+    all.segment(at, rows.rows()) = rows * v;
+    at += rows.rows();
   }
   return all;
 }
@@ -119,9 +116,9 @@ VecX StructureProblem::jacobian_transposed_times(const VecX& w) {
   VecX sum = VecX::Zero(size());
   for (const VecX& part : parts) sum += part;
   Eigen::Index at = first.back();
-  for (const ParameterGoal& wish : wishes_) {
-    sum += std::sqrt(wish.weight) * scale_.cwiseProduct(wish.rows.transpose() * w.segment(at, wish.rows.rows()));
-    at += wish.rows.rows();
+  for (const SparseMatrix& rows : wish_rows_) {
+    sum += rows.transpose() * w.segment(at, rows.rows());
+    at += rows.rows();
   }
   return sum;
 }
@@ -138,8 +135,9 @@ VecX StructureProblem::hessian_times(const VecX& v) {
   });
   VecX sum = VecX::Zero(size());
   for (const VecX& part : parts) sum += part;
-  for (const ParameterGoal& wish : wishes_) sum += wish.weight * (wish.rows.transpose() * (wish.rows * by_p));
-  return scale_.cwiseProduct(sum);
+  sum = scale_.cwiseProduct(sum);
+  for (const SparseMatrix& rows : wish_rows_) sum += rows.transpose() * (rows * v);
+  return sum;
 }
 
 DesignEffort StructureProblem::effort() const {

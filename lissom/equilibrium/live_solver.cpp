@@ -64,7 +64,7 @@ Equilibrium LiveSolver::settle(const State& start, double load_factor) {
                                      options_.max_iterations, result.records);
   result.iterations = moves.iterations;
   if (moves.verdict != Verdict::kStable) return finish(std::move(result), moves.verdict);
-  return descend(std::move(result), FirstStep::kNewton);
+  return descend(std::move(result), FirstStep::kNewton, options_.max_iterations);
 }
 
 bool LiveSolver::take_up(const State& equilibrium) {
@@ -75,7 +75,7 @@ bool LiveSolver::take_up(const State& equilibrium) {
   return workspace_.factorize(0).positive_definite;
 }
 
-Equilibrium LiveSolver::resettle(const State& before) {
+Equilibrium LiveSolver::resettle(const State& before, std::optional<int> max_iterations) {
   Equilibrium result;
   factorizations_before_ = workspace_.factorizations();
   result.state = before;
@@ -87,17 +87,18 @@ Equilibrium LiveSolver::resettle(const State& before) {
   if (!held.isZero(0) && !advance(system, before, held, result.state)) {
     return finish(std::move(result), Verdict::kBadStart);
   }
-  result = descend(std::move(result), FirstStep::kFactorAtHand);
+  result = descend(std::move(result), FirstStep::kFactorAtHand,
+                   std::min(max_iterations.value_or(options_.max_iterations), options_.max_iterations));
   following_.predicted = minimizer_ ? minimizer_->predicted_move() : 0;
   const double expected = kFarFromPrediction * following_.predicted + kNoticed * problem_.scales.length;
   following_.jumped = following_.jumped || following_.moved > expected;
   return result;
 }
 
-Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first) {
+Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first, int max_iterations) {
   const VecX before = result.state.q;
   for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
-    const int left = std::max(options_.max_iterations - result.iterations, 0);
+    const int left = std::max(max_iterations - result.iterations, 0);
     const Descent descent = minimizer_
                                 ? minimizer_->run(result.state, result.tolerance, left, result.records, first, strains_)
                                 : find_root(workspace_, result.state, result.tolerance, options_, left, result.records);

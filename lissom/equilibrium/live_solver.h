@@ -33,7 +33,8 @@ class LiveSolver {
 
   /// Follows a small change of the problem's numbers, or of the places that it holds, from an equilibrium of the old ones, at
   /// its load factor: first-order prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
-  Equilibrium resettle(const State& before);
+  /// `max_iterations`, where given, is less than that of the options: what has not come to rest by then has not followed.
+  Equilibrium resettle(const State& before, std::optional<int> max_iterations = {});
 
   /// Stands at an equilibrium of the present numbers, found before: makes its factor and forgets all other history, so that what
   /// `resettle` does next depends on this state alone. False where its Hessian is not positive definite.
@@ -56,7 +57,7 @@ class LiveSolver {
 
  private:
   double tolerance() const;
-  Equilibrium descend(Equilibrium result, FirstStep first);
+  Equilibrium descend(Equilibrium result, FirstStep first, int max_iterations);
   void remember_strains(const State& state);
   Equilibrium finish(Equilibrium result, Verdict verdict);
 

@@ -54,6 +54,7 @@ class Search {
         for (std::size_t j = i + 1; j < piece.nodes.size(); ++j) connect(piece, piece.nodes[i], piece.nodes[j]);
       }
     }
+    for (std::size_t p = 0; p < pieces.size(); ++p) connect_along_rod(p);
   }
 
   std::vector<NearRods> pairs() {
@@ -91,11 +92,24 @@ class Search {
 
   /// Ends of pieces are joined by the way along them.
   void connect(const RodPiece& piece, const std::array<int, 2>& from, const std::array<int, 2>& to) {
-    const double way = piece.stations[to[1]].along - piece.stations[from[1]].along;
-    if (way > 8 * reach_ || from[0] == to[0]) return;
-    for (const auto& key : {std::pair(from[0], to[0]), std::pair(to[0], from[0])}) {
+    connect(from[0], to[0], piece.stations[to[1]].along - piece.stations[from[1]].along);
+  }
+  void connect(int from, int to, double way) {
+    if (way > 8 * reach_ || from == to) return;
+    for (const auto& key : {std::pair(from, to), std::pair(to, from)}) {
       const auto [entry, is_new] = way_.emplace(key, way);
       if (!is_new) entry->second = std::min(entry->second, way);
+    }
+  }
+
+  /// A rod that is cut into pieces at its kinks is one way all the same.
+  void connect_along_rod(std::size_t first) {
+    const RodPiece& begin = pieces_[first];
+    double way = begin.length();
+    for (std::size_t p = first + 1; p < pieces_.size() && pieces_[p].rod == begin.rod; ++p) {
+      if (pieces_[p].nodes.front()[0] != pieces_[p - 1].nodes.back()[0]) return;
+      way += pieces_[p].length();
+      connect(begin.nodes.front()[0], pieces_[p].nodes.back()[0], way);
     }
   }
 
@@ -124,7 +138,7 @@ class Search {
     near.place = (nearest[0] + nearest[1]) / 2;
   }
 
-  /// m, along the rods, over at most one piece between; infinite when there is no such way.
+  /// m, along the rods, over at most one rod between; infinite when there is no such way.
   double way_between(const Place& a, const Place& b) const {
     const RodPiece &first = pieces_[a.piece], &second = pieces_[b.piece];
     if (a.piece == b.piece) {
@@ -179,7 +193,7 @@ class Search {
   double gap_, reach_ = 0;  // m
   std::vector<Place> places_;
   std::map<std::pair<int, int>, int> order_of_node_;        // of (piece, node)
-  std::map<std::pair<int, int>, double> way_;               // m, between nodes of one piece
+  std::map<std::pair<int, int>, double> way_;               // m, between nodes of one rod
   std::map<std::array<int, 2>, std::map<int, Near>> near_;  // by pieces, then places of the first
 };
 

@@ -19,6 +19,7 @@ struct Chain {
   const StructureRod& rod;
   std::vector<int> nodes, edges;
   bool closed = false;
+  std::array<bool, 2> joined{false, false};  ///< whether others meet it at its start, its end
 
   int count() const { return static_cast<int>(edges.size()); }
   const StructureEdge& edge(int e) const { return structure.edges[edges[e]]; }
@@ -90,12 +91,13 @@ class Spine {
   }
 
  private:
-  /// At a free end half-extents go on as they change between the two last middles, within reason.
+  /// At a free end half-extents go on as they change between the two last middles, within reason. Where others meet it a rod
+  /// stays as it is at the last middle: its radii may turn there, and going on would make it thinner than it was meant to be.
   Knot free_knot(int node) const {
     const int edges = chain_.count();
     const auto own = static_cast<std::size_t>(node == 0 ? 0 : edges - 1);
     Knot knot = middle_[own];
-    if (edges == 1) return knot;
+    if (edges == 1 || chain_.joined[node == 0 ? 0 : 1]) return knot;
     const auto next = static_cast<std::size_t>(node == 0 ? 1 : edges - 2);
     const double share = length_[own] / (length_[own] + length_[next]);
     const auto extended = [share](double r, double inner) {
@@ -239,9 +241,10 @@ std::vector<RodPiece> rod_pieces(const Structure& structure, double tolerance) {
   }
   std::vector<RodPiece> pieces;
   for (std::size_t c = 0; c < chains.size(); ++c) {
+    chains[c].joined = {uses[chains[c].nodes.front()] > 1, uses[chains[c].nodes.back()] > 1};
     RodPiece piece = make_piece(chains[c], rod_of[c], tolerance);
-    const auto end = [&](int node) { return uses[node] > 1 ? PieceEnd::kRound : PieceEnd::kFlat; };
-    if (!piece.closed) piece.end = {end(chains[c].nodes.front()), end(chains[c].nodes.back())};
+    const auto end = [&](std::size_t side) { return chains[c].joined[side] ? PieceEnd::kRound : PieceEnd::kFlat; };
+    if (!piece.closed) piece.end = {end(0), end(1)};
     pieces.push_back(std::move(piece));
   }
   return pieces;

@@ -178,10 +178,11 @@ struct GoalBrief {
   double weight = 1;  ///< against the other goals
 };
 
-/// Weights of wishes about the parameters; 0: none.
+/// Wishes about the parameters; 0: none.
 struct WishesBrief {
-  double closeness = 0;   ///< to the start
-  double smoothness = 0;  ///< along rods: radii and rest shapes that change one by one
+  double closeness = 0;   ///< weight of staying near the start
+  double smoothness = 0;  ///< weight of being alike along rods: radii and rest shapes that change one by one
+  double clearance = 0;   ///< m, between rods that share no joint
 };
 
 /// How it is worked on.

@@ -183,7 +183,9 @@ void describe(Fields& fields, WishesBrief& wishes) {
   const NumberOf weight{Measure::kRatio, kNotNegative};
   fields.field("closeness", wishes.closeness, weight, kOptional, "Weight of staying near the start.")
       .field("smoothness", wishes.smoothness, weight, kOptional,
-             "Weight of neighbouring controls of radii and rest shapes being alike.");
+             "Weight of neighbouring controls of radii and rest shapes being alike.")
+      .field("clearance", wishes.clearance, NumberOf{Measure::kLength, kNotNegative}, kOptional,
+             "Gap that rods should keep where they share no joint, such as what a printer needs.");
 }
 
 void describe(Fields& fields, DesignSettings& settings) {

@@ -88,10 +88,11 @@ struct MeshPose {
 
 /// Radii at 2, 3 and 4 places of each rod first, then at 4 together with the rest shape.
 struct MeshDesign {
-  std::string method;      ///< one of brief_methods.h; empty: the fastest for so many parameters
-  Vec2 radii{1e-3, 3e-3};  ///< m
-  double reach = 0.01;     ///< m, of the rest shape along each axis; 0: it stays as drawn
-  std::array<int, 4> iterations{10, 5, 5, 12};
+  std::string method;       ///< one of brief_methods.h; empty: the fastest for so many parameters
+  Vec2 radii{1e-3, 3e-3};   ///< m
+  double reach = 3e-3;      ///< m, of the rest shape along each axis; 0: it stays as drawn
+  double clearance = 6e-4;  ///< m, that rods should keep where they share no joint; 0: none
+  std::array<int, 4> iterations{10, 6, 6, 24};
   double smoothness = 0;       ///< weight of neighbouring controls being alike
   double pin_stiffness = 1e3;  ///< N/m, at each node that is held, to start with
 };

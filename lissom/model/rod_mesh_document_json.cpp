@@ -225,6 +225,8 @@ void describe(Fields& fields, MeshDesign& design) {
              "Smallest and largest radius.")
       .field("reach", design.reach, NumberOf{Measure::kLength, kNotNegative}, kOptional,
              "How far the rest shape may move along each axis; 0: not at all.")
+      .field("clearance", design.clearance, NumberOf{Measure::kLength, kNotNegative}, kOptional,
+             "Gap that rods should keep where they share no joint; what printers need is 0.5 mm. 0: none.")
       .field("iterations", design.iterations, StageIterationsOf(), kOptional,
              "At most, with radii at 2, 3 and 4 places of each rod, then together with the rest shape.")
       .field("smoothness", design.smoothness, NumberOf{Measure::kRatio, kNotNegative}, kOptional,

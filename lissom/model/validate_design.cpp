@@ -284,6 +284,7 @@ void check_design(Checker& check, const Brief& brief, const std::string& where) 
   }
   check.not_negative(brief.wishes.closeness, where + "/wishes/closeness", "weight");
   check.not_negative(brief.wishes.smoothness, where + "/wishes/smoothness", "weight");
+  check.not_negative(brief.wishes.clearance, where + "/wishes/clearance", "gap");
   check_settings(check, brief.settings, where + "/settings");
 }
 

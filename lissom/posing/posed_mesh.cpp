@@ -117,6 +117,10 @@ class Poser {
     std::vector<char> held(place_.size(), 0);
     for (std::size_t i = 0; i < wanted.pose.supports.size(); ++i) {
       const std::string place = fmt::format("{}/pose/supports/{}", where, i);
+      if (wanted.pose.supports[i].kind == SupportKind::kFree) {
+        pose.supports.push_back(wanted.pose.supports[i]);
+        continue;
+      }
       if (Status s = hold(wanted, wanted.pose.supports[i].at, place, held); !s) return s;
     }
     for (std::size_t i = 0; i < wanted.pose.forces.size(); ++i) {
@@ -180,6 +184,7 @@ class Poser {
     brief.settings.pins = DesignSettings::Pins::kAdaptive;
     brief.settings.method = design.method.empty() ? fastest_method() : design.method;
     brief.wishes.smoothness = design.smoothness;
+    brief.wishes.clearance = design.clearance;
     for (std::size_t k = 0; k < project_.poses.size(); ++k) {
       if (project_.poses[k].held_back) continue;
       PositionsGoal places;

@@ -28,6 +28,8 @@ struct PosedMesh {
   std::vector<std::string> notes;
 };
 
+/// Where a pose of the surface is held or pulled, rods are held at the places where it ends; supports that hold some directions
+/// only, such as a table on which everything slides, hold the rods themselves.
 /// Errors are those of the parts, with the place in the project.
 Result<PosedMesh> pose_rod_mesh(const RodMeshProject& project, const ProjectFiles& files, const Context& context);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <variant>
 
 #include "lissom/core/file_io.h"
 #include "lissom/equilibrium/settled.h"
@@ -108,6 +109,23 @@ double measured(const std::vector<GoalMeasure>& measures, int pose) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+bool only_radii(const std::vector<ParameterBrief>& parameters) {
+  return std::all_of(parameters.begin(), parameters.end(),
+                     [](const ParameterBrief& p) { return std::holds_alternative<RadiiBrief>(p.what); });
+}
+
+/// What the last stage that changes nothing but radii has left of a pose.
+double radii_only(const Brief& brief, const OptimizedDesign& design, int pose) {
+  double left = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t s = 0; s < design.stages.size(); ++s) {
+    if (!only_radii(s < brief.stages.size() ? brief.stages[s].parameters : brief.parameters)) break;
+    for (std::size_t g = 0; g < design.after.size(); ++g) {
+      if (design.after[g].pose == pose && design.after[g].unit == "m") left = design.stages[s].rms[g];
+    }
+  }
+  return left;
+}
+
 /// Designed poses as the run measured them, held back ones solved before and after.
 Status judge(const Model& start, const Structure& structure, const std::vector<Wanted>& wanted, const Context& context,
              DesignedProject& done) {
@@ -132,6 +150,7 @@ Status judge(const Model& start, const Structure& structure, const std::vector<W
     } else {
       outcome.before = measured(done.design.before, w.pose);
       outcome.after = measured(done.design.after, w.pose);
+      outcome.radii_only = radii_only(*start.design, done.design, w.pose);
     }
     done.poses.push_back(outcome);
   }
@@ -196,6 +215,7 @@ Status finish(const Document& document, const DesignCommand& command, DesignedPr
 
 double DesignedProject::rms_before(bool held_back) const { return rms_of(poses, held_back, &PoseOutcome::before); }
 double DesignedProject::rms_after(bool held_back) const { return rms_of(poses, held_back, &PoseOutcome::after); }
+double DesignedProject::rms_radii_only() const { return rms_of(poses, false, &PoseOutcome::radii_only); }
 
 Result<DesignedProject> design_command(const Project& project, const DesignCommand& command, const Context& context) {
   Output output(command.folder);

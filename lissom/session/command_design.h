@@ -28,6 +28,7 @@ struct PoseOutcome {
   bool held_back = false;
   double moved = 0, farthest = 0;  ///< m, root mean square and largest way of the nodes from the drawing to the target
   double before = 0, after = 0;    ///< m, root mean square miss; NaN where the pose has no stable shape
+  double radii_only = 0;           ///< m, after the stages that change nothing but radii; NaN where there was none
 };
 
 struct DesignedProject {
@@ -42,6 +43,7 @@ struct DesignedProject {
   /// Root mean square miss over the nodes of all poses that were, or were not, designed for, m.
   double rms_before(bool held_back) const;
   double rms_after(bool held_back) const;
+  double rms_radii_only() const;  ///< NaN where no stage changes nothing but radii
 };
 
 /// Lays rods, poses them, works on the brief, prints. Resuming takes the rods and poses that an earlier run left in the folder

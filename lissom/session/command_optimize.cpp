@@ -211,6 +211,11 @@ Result<OptimizedDesign> optimize_command(const Document& document, const Optimiz
   design.iterations = static_cast<int>(run.steps().size());
   design.before = run.first_measures();
   design.after = run.problem().measures();
+  for (const DesignStep& step : run.steps()) {
+    design.stages.resize(std::max(design.stages.size(), static_cast<std::size_t>(step.stage) + 1));
+    StageOutcome& stage = design.stages[static_cast<std::size_t>(step.stage)];
+    stage = {stage.iterations + 1, step.seconds, step.rms};
+  }
   design.notes = run.goals().notes;
   design.model = run.problem().design().model;
   if (const Status s = write_results(run, document, command, design, output); !s) return s.error();

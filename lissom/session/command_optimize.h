@@ -26,11 +26,19 @@ struct OptimizeCommand {
   std::string version;  ///< of lissom, for the report
 };
 
+/// How one of the stages of a design ended.
+struct StageOutcome {
+  int iterations = 0;
+  double seconds = 0;       ///< of all stages up to its end
+  std::vector<double> rms;  ///< of each goal, SI
+};
+
 struct OptimizedDesign {
   DesignVerdict verdict = DesignVerdict::kBadStart;
   std::string message;  ///< the verdict in a sentence, with its reason
   int iterations = 0;
   std::vector<GoalMeasure> before, after;  ///< one per goal, in the same order
+  std::vector<StageOutcome> stages;        ///< those that were worked on
   Model model;                             ///< the design that was found
   DesignReport report;                     ///< what the page among the files says
   std::vector<std::string> notes;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "lissom/session/layout_json.h"
@@ -13,23 +14,26 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Table = DesignReport::Table;
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 std::string in_mm(double metres) { return std::isfinite(metres) ? fmt::format("{:.3g} mm", 1e3 * metres) : "none"; }
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Table pose_table(const DesignedProject& done) {
   Table table{"Poses, by the distance of all nodes from their targets (RMS)",
-              {"<Pose", "<Part in the design", "Way to the target", "Farthest way", "Missed before", "Missed after"},
+              {"<Pose", "<Part in the design", "Way to the target", "Farthest way", "Missed before", "By radii alone",
+               "Missed after"},
               {}};
   const auto add = [&](const std::string& name, const char* part, const std::string& moved, const std::string& farthest,
-                       double before, double after) {
-    table.rows.push_back({name, part, moved, farthest, in_mm(before), in_mm(after)});
+                       double before, double radii, double after) {
+    table.rows.push_back({name, part, moved, farthest, in_mm(before), in_mm(radii), in_mm(after)});
   };
   for (const PoseOutcome& pose : done.poses) {
     add(pose.name, pose.held_back ? "held back as a test" : "designed for", in_mm(pose.moved), in_mm(pose.farthest),
-        pose.before, pose.after);
+        pose.before, pose.held_back ? kUnknown : pose.radii_only, pose.after);
   }
-  add("all that were designed for", "", "", "", done.rms_before(false), done.rms_after(false));
+  add("all that were designed for", "", "", "", done.rms_before(false), done.rms_radii_only(), done.rms_after(false));
   return table;
 }
 
@@ -87,7 +91,9 @@ std::string summary_of(const std::string& name, const DesignedProject& done) {
   json["nodes"] = done.nodes;
   json["edges"] = done.edges;
   json["rms_before"] = finite(done.rms_before(false));
+  json["rms_radii_only"] = finite(done.rms_radii_only());
   json["rms_after"] = finite(done.rms_after(false));
+  json["seconds"] = done.design.stages.empty() ? 0 : done.design.stages.back().seconds;
   json["poses"] = Json::array();
   for (const PoseOutcome& pose : done.poses) {
     json["poses"].push_back({{"name", pose.name},
@@ -95,6 +101,7 @@ std::string summary_of(const std::string& name, const DesignedProject& done) {
                              {"moved", pose.moved},
                              {"farthest", pose.farthest},
                              {"rms_before", finite(pose.before)},
+                             {"rms_radii_only", finite(pose.held_back ? kUnknown : pose.radii_only)},
                              {"rms_after", finite(pose.after)}});
   }
   if (done.print) {
