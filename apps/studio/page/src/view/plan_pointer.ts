@@ -95,7 +95,7 @@ export function listenPlan(element: HTMLElement, size: () => Screen): () => void
     const tool = toolOf(store.activeTool.peek());
     tool.double?.(pointer(event, tool));
   }, options);
-  element.addEventListener('contextmenu', (event) => event.preventDefault(), options);
+  for (const native of ['contextmenu', 'dragstart']) element.addEventListener(native, (event) => event.preventDefault(), options);
   element.addEventListener('wheel', (event) => {
     event.preventDefault();
     const camera = store.planCamera.peek();

@@ -99,7 +99,7 @@ export function listen3d(element: HTMLElement): () => void {
   };
   element.addEventListener('pointercancel', leave, options);
   element.addEventListener('pointerleave', () => press === null && leave(), options);
-  element.addEventListener('contextmenu', (event) => event.preventDefault(), options);
+  for (const native of ['contextmenu', 'dragstart']) element.addEventListener(native, (event) => event.preventDefault(), options);
   element.addEventListener('dblclick', (event) => {
     const hit = pick(place(event), true);
     if (hit) setPivot(hit.at);
