@@ -2,8 +2,10 @@
 # The studio's page (apps/studio/page) and its tools.
 #   tools/page.sh build        builds dist/, unless it is what the sources give already
 #   tools/page.sh packages     installs what package-lock.json lists into node_modules/, unless it is there
-#   tools/page.sh run WORD...  runs a command in the page's folder with a Node that is new enough
-# Node comes from the system where it has a new one, else from npm (Debian 12's own is 18; the package `node` brings 22).
+#   tools/page.sh script NAME  runs a script of package.json
+#   tools/page.sh run WORD...  runs a program of its packages in the page's folder
+# Node comes from the system where it has a new one, else from npm (Debian 12's own is 18; the package `node` brings 22, and npm
+# another npm to it: under 18 it would leave out packages that need more, and Debian's own does not run with 22).
 # A source archive with dist/ in it builds without npm: dist/.sources says what dist/ was built from.
 # Where the file build/page.keep exists, a page that cannot be built leaves the last one in place: for hours in which somebody
 # edits the page and somebody else the engine in one checkout.
@@ -18,15 +20,20 @@ fail() {
   exit 1
 }
 
-# Runs a command with Node 20.19 or newer in front of PATH.
+# Runs a command with Node 20.19 or newer, and with the programs of the page's packages, in front of PATH.
 with_node() {
+  local PATH=$page/node_modules/.bin:$PATH
   if node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null; then
     "$@"
   elif command -v npx >/dev/null; then
-    npx --yes --package node@22 -- "$@"
+    npx --yes --package node@22 --package npm@10 -- "$@"
   else
     fail "the page needs Node 20.19 or newer, or npm to fetch it; run tools/setup.sh build, or configure with -DLISSOM_STUDIO=OFF"
   fi
+}
+
+script() {
+  with_node sh -c "$(python3 -c 'import json, sys; print(json.load(open("package.json"))["scripts"][sys.argv[1]])' "$1")"
 }
 
 # One number for all that a build reads.
@@ -70,7 +77,7 @@ build() {
   say "page: building"
   local log
   log=$(mktemp)
-  with_node npm run --silent build >"$log" 2>&1 || {
+  script build >"$log" 2>&1 || {
     cat "$log" >&2
     rm -f "$log"
     if [ -f "$root/build/page.keep" ] && [ -f dist/index.html ]; then
@@ -90,6 +97,11 @@ command -v flock >/dev/null && flock 9
 case "${1:-}" in
   build) build ;;
   packages) packages ;;
+  script)
+    packages
+    exec 9>&-
+    script "$2"
+    ;;
   run)
     shift
     packages
@@ -97,7 +109,7 @@ case "${1:-}" in
     with_node "$@"
     ;;
   *)
-    sed -n '2,9p' "$root/tools/page.sh" | sed 's/^# \{0,1\}//' >&2
+    sed -n '2,13p' "$root/tools/page.sh" | sed 's/^# \{0,1\}//' >&2
     exit 2
     ;;
 esac

@@ -22,7 +22,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 def command(target, report):
     """The words of the run: of the page's folder, or of one file below tests/studio."""
-    words = ["npx", "vitest", "run", "--reporter=default", "--reporter=json", f"--outputFile={report}"]
+    words = ["vitest", "run", "--reporter=default", "--reporter=json", f"--outputFile={report}"]
     if target == PAGE:
         return words
     return words + ["--root", str(target.parent), "--config", str(target.parent / "vitest.config.mts"), target.name]
