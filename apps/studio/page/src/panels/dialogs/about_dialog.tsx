@@ -1,12 +1,12 @@
 // What this is.
 
-import { dialog, hello, rendererName } from '../../core/store';
+import { hello, rendererName } from '../../core/store';
 import { Facts } from '../parts/facts';
-import { Modal } from '../parts/modal';
+import { closeDialog, Modal } from '../parts/modal';
 
 export function AboutDialog() {
   return (
-    <Modal title="About lissom" onClose={() => (dialog.value = '')}>
+    <Modal title="About lissom" onClose={() => closeDialog('about')}>
       <div class="stack">
         <p>Design rods on stretched fabric: they settle while you drag.</p>
         <Facts

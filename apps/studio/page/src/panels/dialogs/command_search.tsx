@@ -2,10 +2,9 @@
 
 import { useMemo, useRef, useState } from 'preact/hooks';
 import { commands, isEnabled, keysOf, run } from '../../core/commands';
-import { dialog } from '../../core/store';
 import { keyText } from '../logic/keys';
 import { matches } from '../logic/match';
-import { Modal } from '../parts/modal';
+import { closeDialog, Modal } from '../parts/modal';
 
 const kMost = 60;
 
@@ -18,7 +17,7 @@ export function CommandSearch() {
     () => matches(query, all, (c) => c.title, (c) => `${c.group} ${c.help ?? ''}`).slice(0, kMost),
     [query, all],
   );
-  const close = () => (dialog.value = '');
+  const close = () => closeDialog('commands');
   const take = (index: number) => {
     const chosen = found[index];
     if (!chosen || !isEnabled(chosen)) return;

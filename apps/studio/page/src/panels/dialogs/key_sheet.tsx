@@ -3,11 +3,10 @@
 import { useState } from 'preact/hooks';
 import { announce, commands, keyOverrides, keysOf, type Command } from '../../core/commands';
 import { chordOf } from '../../core/keys';
-import { dialog } from '../../core/store';
 import { holderOf, withKeys, withoutChoice } from '../logic/key_map';
 import { keyText } from '../logic/keys';
 import { Button } from '../parts/button';
-import { Modal } from '../parts/modal';
+import { closeDialog, Modal } from '../parts/modal';
 
 export function KeySheet() {
   /** id of the command that waits for its new key. */
@@ -18,7 +17,7 @@ export function KeySheet() {
     <Modal
       title="Keys"
       class="wide"
-      onClose={() => (dialog.value = '')}
+      onClose={() => closeDialog('keys')}
       actions={
         <>
           <p class="soft menu-title">Choose a key, then press another. Escape leaves it as it is, Delete takes it away.</p>

@@ -1,12 +1,12 @@
 // A name for the file.
 
 import { useState } from 'preact/hooks';
-import { dialog, hello, project } from '../../core/store';
+import { hello, project } from '../../core/store';
 import { save, saveRefusal } from '../files';
 import { refusalText } from '../logic/words';
 import { documentName, fileStem } from '../logic/file_names';
 import { Button } from '../parts/button';
-import { Modal } from '../parts/modal';
+import { closeDialog, Modal } from '../parts/modal';
 
 export function SaveDialog() {
   const now = project.value;
@@ -14,7 +14,7 @@ export function SaveDialog() {
   const refusal = saveRefusal.value;
   const close = () => {
     saveRefusal.value = null;
-    dialog.value = '';
+    closeDialog('save');
   };
   const take = async (replace = false) => {
     const file = documentName(name);

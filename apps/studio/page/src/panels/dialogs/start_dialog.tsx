@@ -3,11 +3,11 @@
 import { useEffect, useState } from 'preact/hooks';
 import { send } from '../../core/connection';
 import type { FilesAnswer } from '../../core/protocol';
-import { dialog, hello } from '../../core/store';
+import { hello } from '../../core/store';
 import { beginWith, openFile } from '../files';
 import { agoText, bytesText, counted } from '../logic/number_text';
 import { drawingPath, kindText, openable, titleOf, type Drawing } from '../logic/start_entries';
-import { Modal } from '../parts/modal';
+import { closeDialog, Modal } from '../parts/modal';
 
 export function StartDialog() {
   const [answer, setAnswer] = useState<FilesAnswer | null>(null);
@@ -17,7 +17,7 @@ export function StartDialog() {
     });
   }, []);
   return (
-    <Modal title="Begin" class="wide" onClose={() => (dialog.value = '')}>
+    <Modal title="Begin" class="wide" onClose={() => closeDialog('start')}>
       <div class="start">
         <section aria-labelledby="start-templates">
           <h3 id="start-templates">New, from a template</h3>

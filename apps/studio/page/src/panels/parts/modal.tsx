@@ -2,7 +2,13 @@
 
 import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useRef } from 'preact/hooks';
+import { dialog, type Dialog } from '../../core/store';
 import { Button } from './button';
+
+/** Closes the dialog of this name; another that has opened meanwhile stays. */
+export function closeDialog(name: Dialog): void {
+  if (dialog.peek() === name) dialog.value = '';
+}
 
 interface ModalProps {
   title: string;
