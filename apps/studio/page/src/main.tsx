@@ -6,6 +6,7 @@ import { App } from './panels/app';
 import { startPanels } from './panels/start';
 import { installTestHook } from './test_hook';
 import { listenKeys } from './view/keyboard';
+import { prepareMachine } from './view/machine';
 import './style/index.css';
 
 function openWire(): Wire {
@@ -14,6 +15,7 @@ function openWire(): Wire {
   return new WebSocket(address) as unknown as Wire;
 }
 
+prepareMachine();
 // Not before the next picture: what a picture's turn applies would be drawn only in the turn after it.
 connect(new Connection(openWire, (run) => setTimeout(run, 0)));
 registerCommands();

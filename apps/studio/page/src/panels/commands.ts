@@ -136,7 +136,7 @@ const help: Command[] = [
     group: 'Help',
     keys: ['Ctrl+K'],
     icon: 'search',
-    run: () => (dialog.value = dialog.peek() === 'commands' ? '' : 'commands'),
+    run: () => (dialog.value = 'commands'),
   },
   { id: 'help.guide', title: 'Show me around', group: 'Help', icon: 'info', help: 'Six things to try', run: beginGuide },
   { id: 'help.keys', title: 'Keys', group: 'Help', keys: ['?'], icon: 'keyboard', run: () => (dialog.value = 'keys') },

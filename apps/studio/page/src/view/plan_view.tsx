@@ -64,7 +64,8 @@ function paint(still: HTMLCanvasElement, live: HTMLCanvasElement, size: { value:
     const now = stillParts({ ...scene, plan: held });
     if (now.some((part, i) => part !== parts[i])) {
       parts = now;
-      const pen = penOf(still, width, height);
+      // What is painted rarely is painted by the processor itself where no graphics card would do it.
+      const pen = penOf(still, width, height, { willReadFrequently: store.softwareRenderer.peek() });
       if (pen) {
         paintStill(pen, { ...scene, plan: held });
         paintRulers(pen, scene);
@@ -94,13 +95,18 @@ function paint(still: HTMLCanvasElement, live: HTMLCanvasElement, size: { value:
 }
 
 /** The pen of a canvas that has the size of its place on the page, in CSS pixels. */
-function penOf(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D | null {
+function penOf(
+  canvas: HTMLCanvasElement,
+  width: number,
+  height: number,
+  settings: CanvasRenderingContext2DSettings = {},
+): CanvasRenderingContext2D | null {
   const ratio = devicePixelRatio;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
   }
-  const pen = canvas.getContext('2d');
+  const pen = canvas.getContext('2d', settings);
   pen?.setTransform(ratio, 0, 0, ratio, 0, 0);
   return pen;
 }

@@ -8,6 +8,7 @@ import { bounds, type Vec3 } from '../core/vec';
 import { Fabric } from './fabric';
 import { Ghost } from './ghost';
 import { Grid } from './grid';
+import type { Machine } from './machine';
 import { Markers } from './markers';
 import { paletteOf, type Palette } from './palette';
 import { Rods } from './rods';
@@ -15,7 +16,6 @@ import { ScreenLines } from './screen_lines';
 import { colourTables } from './tables';
 
 export interface ViewQuality {
-  antialias: boolean;
   sides: number;
   pixelRatio: number;
   /** While things move only so large a part of the canvas is drawn, shown enlarged; all of it a moment after they rest. */
@@ -23,9 +23,9 @@ export interface ViewQuality {
 }
 
 export function highQuality(): ViewQuality {
-  return { antialias: true, sides: 12, pixelRatio: Math.min(devicePixelRatio, 2), hurriedShare: 1 };
+  return { sides: 12, pixelRatio: Math.min(devicePixelRatio, 2), hurriedShare: 1 };
 }
-export const kLowQuality: ViewQuality = { antialias: false, sides: 6, pixelRatio: 1, hurriedShare: 0.6 };
+export const kLowQuality: ViewQuality = { sides: 6, pixelRatio: 1, hurriedShare: 0.6 };
 
 /** How long things have to rest before they are drawn finely, ms. */
 const kRestMs = 220;
@@ -73,11 +73,14 @@ export class View {
   /** Signalled once the graphics card, or the processor in its place, has drawn the last picture. */
   private drawn: WebGLSync | null = null;
 
+  readonly canvas: HTMLCanvasElement;
+
   constructor(
-    readonly canvas: HTMLCanvasElement,
+    { canvas, context }: Machine,
     private quality: ViewQuality,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: quality.antialias, alpha: true, powerPreference: 'high-performance' });
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, context, alpha: true });
     // Asking each shader whether it is well costs a wait for it; they are the same on every machine, and tests see them.
     this.renderer.debug.checkShaderErrors = false;
     this.ratio = quality.pixelRatio;
@@ -98,6 +101,8 @@ export class View {
     for (const markers of Object.values(this.markers)) this.scene.add(markers.mesh);
     this.scene.matrixWorldAutoUpdate = false;
     this.eye.matrixAutoUpdate = this.eye.matrixWorldAutoUpdate = false;
+    // Shaders are made ready while the first shape is on its way.
+    this.renderer.compile(this.scene, this.eye);
     canvas.addEventListener('webglcontextlost', this.onLost);
     canvas.addEventListener('webglcontextrestored', this.onRestored);
   }
@@ -132,7 +137,6 @@ export class View {
     this.invalidate();
   }
 
-  /** Sides and pixel ratio can change while running; antialiasing only with a new context. */
   setQuality(quality: ViewQuality): void {
     this.quality = quality;
     this.ratio = quality.pixelRatio;

@@ -3,7 +3,7 @@
 
 import { effect } from '@preact/signals-core';
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { Projector } from '../core/camera';
 import { gizmoPlace } from '../core/handles';
 import { note, notePreview, noteShape } from '../core/latency';
@@ -13,40 +13,44 @@ import { currentView, setCurrentView } from './current';
 import { drawGizmo } from './gizmo_picture';
 import { hotGrip, label } from './local';
 import { Overlay } from './overlay';
+import { takeMachine } from './machine';
 import { listen3d } from './pointer3d';
-import { probeMachine } from './quality';
 import { sync } from './sync';
 import { highQuality, kLowQuality, View } from './view';
 import { ViewCube } from './view_cube';
 import './view.css';
 
 export function Viewport({ children }: { children?: ComponentChildren }) {
-  const canvas = useRef<HTMLCanvasElement>(null);
+  const holder = useRef<HTMLDivElement>(null);
   const surface = useRef<HTMLDivElement>(null);
   const [missing, setMissing] = useState(false);
 
-  useEffect(() => {
-    if (!canvas.current || !surface.current) return;
-    const machine = probeMachine();
-    store.rendererName.value = machine.name;
-    store.softwareRenderer.value = machine.software;
-    if (machine.name === '') {
+  useLayoutEffect(() => {
+    if (!holder.current || !surface.current) return;
+    const machine = takeMachine();
+    if (!machine) {
       setMissing(true);
       return;
     }
-    const view = new View(canvas.current, machine.software ? kLowQuality : highQuality());
+    const { canvas } = machine;
+    store.rendererName.value = machine.name;
+    store.softwareRenderer.value = machine.software;
+    canvas.setAttribute('aria-hidden', 'true');
+    holder.current.append(canvas);
+    const view = new View(machine, machine.software ? kLowQuality : highQuality());
     setCurrentView(view);
-    const ends = [follow(canvas.current), sync(view), listen3d(surface.current), gizmo(view), frames(), watch(view)];
+    const ends = [follow(canvas), sync(view), listen3d(surface.current), gizmo(view), frames(), watch(view)];
     return () => {
       ends.forEach((end) => end());
       view.dispose();
+      canvas.remove();
       if (currentView() === view) setCurrentView(null);
     };
   }, []);
 
   return (
     <div class="viewport">
-      <canvas ref={canvas} aria-hidden="true" />
+      <div ref={holder} class="view-canvas" />
       <div
         ref={surface}
         class="view-surface"

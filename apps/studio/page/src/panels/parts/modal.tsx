@@ -40,6 +40,7 @@ export function Modal({ title, onClose, class: extra = '', children, actions }: 
       ref={element}
       class={`modal ${extra}`}
       aria-labelledby={id}
+      onCancel={onClose}
       onClose={closed}
       onClick={(event) => {
         if (event.target === element.current) onClose();
