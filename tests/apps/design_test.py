@@ -84,10 +84,15 @@ class Design(tool.ToolTest):
         self.assertEqual(done["edges"], 4 * done["rods"])
         self.assertEqual(done["joints"] - done["rods"] + 12, 1)  # of a disc
         self.assertEqual(done["print"]["errors"], 0)
+        self.assertLess(done["rms_radii_only"], done["rms_before"])
+        self.assertLess(done["rms_after"], done["rms_radii_only"])
+        self.assertEqual(done["poses"][0]["rms_radii_only"], done["rms_radii_only"])
+        self.assertGreater(done["seconds"], 0)
+        self.assertEqual(self.result("out/flap-rods.lissom")["design"]["wishes"]["clearance"], "0.6 mm")
         with zipfile.ZipFile(self.folder / "out/flap.3mf") as archive:
             self.assertIsNone(archive.testzip())
         page = (self.folder / "out/flap-design.html").read_text()
-        for heading in ("Poses, by the distance", "What is printed", "What speaks against printing it"):
+        for heading in ("Poses, by the distance", "By radii alone", "What is printed", "What speaks against printing it"):
             self.assertIn(heading, page)
         # What is between the steps is a document like any other.
         self.run_tool("solve", "out/flap-rods.lissom", "-o", "again")
@@ -107,6 +112,18 @@ class Design(tool.ToolTest):
         self.assertGreater(done["poses"][1]["rms_after"], 0)
         goals = self.result("out/flap-rods.lissom")["design"]["goals"]
         self.assertEqual([goal["pose"] for goal in goals], ["up"])
+
+    def test_a_table_holds_the_rods(self):
+        self.write("sheet.obj", sheet_obj(dome=0))
+        everything = box((None, None, None), (None, None, None))
+        poses = [{"pose": {"name": "pulled", "supports": [{"at": EDGE, "hold": "pin"}, {"at": FAR, "hold": "pin"},
+                                                          {"at": everything, "hold": ["z"]}]},
+                  "warp": [[[x, y, 0], [1.2 * x, y, 0]] for x in (0, 50, 100) for y in (0, 100)]}]
+        self.write("flap.lissom", project(poses=poses, deformers={}))
+        self.run_tool("design", "flap.lissom", "-o", "out", code=ENDS)
+        pose = self.result("out/flap-rods.lissom")["poses"][0]
+        self.assertEqual([support["hold"] for support in pose["supports"]], [["z"]])
+        self.assertGreater(len(pose["soft_pins"]), 4)
 
     def test_warps_patterns_and_drawings(self):
         bent = [[[x, y, 0], [x, y, 0.003 * x * x]] for x in (0, 50, 100) for y in (0, 100)]

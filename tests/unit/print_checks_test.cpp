@@ -50,6 +50,17 @@ TEST(NearRods, MeasuresGaps) {
   EXPECT_TRUE(near_of(net, 0.25 * kMm).empty());
 }
 
+/// Thick rods at both ends of a short one make one joint, also where the short one has a kink and is two pieces.
+TEST(NearRods, ShortRodsMakeOneJointAlsoWithKinks) {
+  for (const double kink : {0.0, 1.5}) {
+    RodNet net;
+    net.add({{0, 0, 0}, {2.5 * kMm, kink * kMm, 0}, {5 * kMm, 0, 0}}, round(1), round(1));
+    net.line({0, 0, 0}, {-5 * kMm, 20 * kMm, 0}, round(2.6));
+    net.line({5 * kMm, 0, 0}, {10 * kMm, 20 * kMm, 0}, round(2.6));
+    EXPECT_TRUE(near_of(net).empty()) << kink;
+  }
+}
+
 TEST(NearRods, JointsAreNoFault) {
   RodNet star;
   for (int k = 0; k < 5; ++k)

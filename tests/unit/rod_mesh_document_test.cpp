@@ -46,7 +46,7 @@ TEST(ProjectDocument, HoldsEverything) {
   other.mesh = "b.obj";
   other.held_back = true;
   p.poses = {pose, other};
-  p.design = {"newton", Vec2(1e-3, 4e-3), 0.02, {1, 2, 3, 4}, 0.5, 100};
+  p.design = {"newton", Vec2(1e-3, 4e-3), 0.02, 7e-4, {1, 2, 3, 4}, 0.5, 100};
   p.print = {"fdm", 2e-4, Vec3(0.2, 0.2, 0.3)};
   const Result<RodMeshProject> read = read_project(write_project(p));
   ASSERT_TRUE(read.ok()) << read.error().text();
@@ -67,6 +67,7 @@ TEST(ProjectDocument, HoldsEverything) {
   EXPECT_EQ(q.design.method, "newton");
   EXPECT_EQ(q.design.iterations, (std::array{1, 2, 3, 4}));
   EXPECT_EQ(q.design.smoothness, 0.5);
+  EXPECT_EQ(q.design.clearance, 7e-4);
   EXPECT_EQ(q.print.process, "fdm");
   EXPECT_EQ(*q.print.bed, Vec3(0.2, 0.2, 0.3));
 }
