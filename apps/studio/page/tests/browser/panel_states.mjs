@@ -137,6 +137,7 @@ async function state(page, theme, [name, come, leave], faults) {
     await leave?.(page);
   } catch (error) {
     faults.push(String(error).split('\n')[0]);
+    if (pictures) await page.screenshot({ path: `${pictures}/failed-${theme}-${name.replace(/[^a-z]+/g, '-')}.png` });
   }
   if (faults.length === 0) ++passed;
   else ++failed;
