@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { Warning } from '../../src/core/protocol';
-import { changeBars } from '../../src/panels/logic/changes';
+import { changeBars, parameterText } from '../../src/panels/logic/changes';
 import { documentName, fileStem } from '../../src/panels/logic/file_names';
 import { holderOf, withKeys, withoutChoice } from '../../src/panels/logic/key_map';
 import { ariaKeys, keyText } from '../../src/panels/logic/keys';
@@ -113,6 +113,8 @@ test('changes are bars of comparable length', () => {
     { parameter: 's', unit: '', from: 2, to: 1.5, at_bound: true },
   ]);
   expect(bars[0]).toMatchObject({ length: 1, text: '1 → 2\u00a0mm', atBound: false });
+  expect(parameterText('point "rim-3": r_b')).toBe('rim-3: radius in plane');
+  expect(parameterText('pre-stretch along warp')).toBe('Pre-stretch along warp');
   expect(bars[1].length).toBeCloseTo(-0.5);
   expect(drawingPath([[[0, 0], [10, 5]]]).path).toBe('M0.0 0.0L10.0 -5.0');
 });

@@ -25,7 +25,7 @@ export function PlanBar() {
   return (
     <div class="view-bar">
       <h2>Plan</h2>
-      <p class="hint soft">{hint()}</p>
+      <p class="hint soft">{isNew() && toolHint.value === '' && 'Drag a point of the plan.'}</p>
       {isNew() && <CommandButton id="help.guide" text="Show me around" />}
       <SnappingPopover />
       <div class="row" role="group" aria-label="Place of the plan">
@@ -36,11 +36,6 @@ export function PlanBar() {
       </div>
     </div>
   );
-}
-
-function hint(): string {
-  if (toolHint.value !== '') return toolHint.value;
-  return isNew() ? 'Drag a point of the plan.' : '';
 }
 
 /** Nobody has dragged anything in this browser yet. */

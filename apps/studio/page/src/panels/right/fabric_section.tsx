@@ -36,6 +36,7 @@ export function FabricSection() {
         disabled={lookOnly.value}
         onCommit={(edge_length_mm) => fieldEdit({ name: 'set_fabric', edge_length_mm })}
       />
+      {fabric.edge_length_mm === 0 && <p class="small soft">0 mm: edges as long as those of the rods.</p>}
       <Field
         label="Smallest angle"
         unit="°"

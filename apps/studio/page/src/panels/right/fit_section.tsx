@@ -4,6 +4,7 @@ import { run } from '../../core/commands';
 import { send } from '../../core/connection';
 import { fit, jobs, show } from '../../core/store';
 import { fixed, short } from '../logic/number_text';
+import { parameterText } from '../logic/changes';
 import { listText, sentence } from '../logic/words';
 import { Button } from '../parts/button';
 import { Switch } from '../parts/choice';
@@ -37,7 +38,7 @@ export function FitSection({ fitting }: { fitting: boolean }) {
               ['Constraints off by', `${short(now.constraint_mm, 2)} mm`],
             ]}
           />
-          {now.at_bounds.length > 0 && <p class="note">At their limits: {listText(now.at_bounds, 6)}.</p>}
+          {now.at_bounds.length > 0 && <p class="note">At their limits: {listText(now.at_bounds.map(parameterText), 6)}.</p>}
           <div class="row">
             <Switch label="Compare with before" checked={show.previous.value} onSwitch={(on) => (show.previous.value = on)} />
             <Button icon="undo" onClick={() => run('edit.undo')}>
