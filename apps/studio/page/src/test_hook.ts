@@ -41,9 +41,11 @@ function busy(): string {
   if (job) return `job ${job.job}`;
   if (cameraMoves()) return 'the camera moves';
   const { running, shape, plan, topology } = store;
+  const kind = store.project.peek()?.kind;
+  if (kind === 'none') return '';
   if (!shape.peek()) return 'no shape';
   const behind = (shape.peek()?.plan_revision ?? 0) < (plan.peek()?.revision ?? 0) || shape.peek()?.topology !== topology.peek()?.topology;
-  if (running.peek() && (behind || store.verdict.peek() === null)) return 'the shape is behind the plan';
+  if (kind === 'plan' && running.peek() && (behind || store.verdict.peek() === null)) return 'the shape is behind the plan';
   return '';
 }
 
