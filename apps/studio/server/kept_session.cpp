@@ -70,8 +70,10 @@ fs::path state_folder() {
 }
 
 fs::path session_folder() {
-  const fs::path runtime = from_environment("XDG_RUNTIME_DIR");
-  return runtime.empty() ? state_folder() : runtime / "lissom";
+  if (const fs::path runtime = from_environment("XDG_RUNTIME_DIR"); !runtime.empty()) return runtime / "lissom";
+  // A folder of its own: the one above holds recent files too, and whoever made it may have let others look into it.
+  const fs::path state = state_folder();
+  return state.empty() ? fs::path() : state / "sessions";
 }
 
 std::string kept_session(const fs::path& folder, unsigned short port) {

@@ -7,7 +7,7 @@
 
 namespace lissom {
 
-/// Where such secrets are kept: a folder that only this user can read (XDG_RUNTIME_DIR, or the state folder of the user).
+/// Where such secrets are kept: a folder that only this user can read (in XDG_RUNTIME_DIR, or in the state folder of the user).
 /// Empty when there is none.
 std::filesystem::path session_folder();
 
