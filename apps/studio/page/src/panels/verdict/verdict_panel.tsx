@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { edit, send } from '../../core/connection';
 import type { VerdictEvent } from '../../core/protocol';
-import { dialog, log, verdict, warnings } from '../../core/store';
+import { connection, dialog, log, verdict, warnings } from '../../core/store';
 import { durationText, short, withUnit } from '../logic/number_text';
 import { sentence, sentenceCase } from '../logic/words';
 import { Button } from '../parts/button';
@@ -57,6 +57,9 @@ function Reason() {
         <Button icon="close" label="Close" onClick={() => (dialog.value = '')} />
       </div>
       {now && line.tone === 'calm' && <p>{sentence(now.sentence)}</p>}
+      {connection.value === 'lost' && (
+        <p>If the studio was ended, start it again and open the address that it prints: what was not saved is offered there.</p>
+      )}
       {now && <Remedy of={now} />}
       {now && <Worst of={now} />}
       {now && <Figures of={now} />}
