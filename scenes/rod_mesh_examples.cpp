@@ -104,10 +104,10 @@ Result<RodMeshExample> dinosaur_example() {
   body.regions = {softer(from(-kFar, -kFar, 0.02), from(-0.055, kFar, kFar), 0.2, 0.025),
                   softer(from(-0.05, -kFar, 0.026), from(0.05, kFar, 0.038), 0.2, 0.008), head};
   p.deformers = {body};
-  const Selector feet = beyond(2, 0.006, -1), tail = beyond(0, -0.092, -1), nose = beyond(0, 0.088, 1);
-  const Selector front_feet = box(from(0, -kFar, -kFar), from(kFar, kFar, 0.006));
-  const Selector right_rear = box(from(-kFar, -kFar, -kFar), from(0, 0, 0.006));
-  const Selector left_rear = box(from(-kFar, 0, -kFar), from(0, kFar, 0.006));
+  const Selector feet = beyond(2, 0.013, -1), tail = beyond(0, -0.092, -1), nose = beyond(0, 0.088, 1);
+  const Selector front_feet = box(from(0, -kFar, -kFar), from(kFar, kFar, 0.013));
+  const Selector right_rear = box(from(-kFar, -kFar, -kFar), from(0, 0, 0.013));
+  const Selector left_rear = box(from(-kFar, 0, -kFar), from(0, kFar, 0.013));
   p.poses = {pose("tail up", "body", {feet}, {pull(tail, from(0.14, 0, 0.36))}),
              pose("tail aside", "body", {feet}, {pull(tail, from(0, 0.56, 0))}),
              pose("nodding", "body", {feet}, {pull(nose, from(0, 0, -0.25))}),
