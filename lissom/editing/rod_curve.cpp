@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lissom/editing/plan_tools.h"
 #include "lissom/geometry/planar_arc.h"
@@ -33,6 +34,79 @@ std::vector<Part> parts_of(const RodCurve& curve) {
     }
   }
   return parts;
+}
+
+/// A new point on the line of a rod.
+int helping_point(Plan& plan, const PlanRod& rod, const RodPlace& place) {
+  const double r_n = radius_at(plan, rod, place, &PlanPoint::r_n), r_b = radius_at(plan, rod, place, &PlanPoint::r_b);
+  return add_point(plan, place.at, r_n, r_b);
+}
+
+void put_on_arc(Plan& plan, std::size_t r, const RodPlace& place, int point) {
+  const PlanRod rod = plan.rods[r];
+  const auto begin = [&] { return plan.rods[r].points.begin() + place.piece + 1; };
+  if (rod.closed && rod.points.size() == 3) {
+    plan.rods[r].points.insert(begin(), point);
+    return;
+  }
+  // The other half of the arc that is cut in two needs a point of its own.
+  const bool first_half = place.piece % 2 == 0;
+  RodPlace half{place.piece, first_half ? place.s / 2 : (place.s + 1) / 2, Vec2::Zero(), 0};
+  half.at = RodCurve(plan, rod).point(half.piece, half.s);
+  const int helper = helping_point(plan, rod, half);
+  plan.rods[r].points.insert(begin(), point);
+  plan.rods[r].points.insert(first_half ? begin() : begin() + 1, helper);
+}
+
+/// Distances from the end of a piece of length `first` at which points cut the next `gap`, such that no piece is much longer
+/// than the one before. A spline is monotone along a line while neighbouring pieces are as 1 to 5 (slopes of at most three
+/// times the piece, Fritsch and Carlson 1980), at the end of an open one, whose slope is 3 to 1 of the first two, as 1 to 3.
+std::vector<double> growing_steps(double first, double gap, bool at_end) {
+  const double most = at_end ? 2.5 : 4, growth = at_end ? 2.2 : 2.5;
+  std::vector<double> cuts;
+  double at = 0, step = first;
+  while (gap - at > most * step) {
+    step *= growth;
+    at += step;
+    cuts.push_back(at);
+  }
+  return cuts;
+}
+
+void put_on_spline(Plan& plan, std::size_t r, const RodPlace& place, int point) {
+  const Plan before = plan;
+  const PlanRod& rod = before.rods[r];
+  const RodCurve curve(before, rod);
+  const int pieces = curve.pieces();
+  std::vector<std::pair<double, int>> order;  // m along the rod, point
+  double total = 0;
+  for (std::size_t k = 0; k < rod.points.size(); ++k) {
+    order.emplace_back(total, rod.points[k]);
+    if (static_cast<int>(k) < pieces) total += curve.length(static_cast<int>(k));
+  }
+  const double at = curve.length_to(place), start = order[static_cast<std::size_t>(place.piece)].first;
+  const double own = curve.length(place.piece), left = at - start, right = own - left;
+  const auto neighbour = [&](int piece) -> double {
+    if (rod.closed) return curve.length((piece + pieces) % pieces);
+    return piece >= 0 && piece < pieces ? curve.length(piece) : 0;
+  };
+  const bool first = !rod.closed && place.piece == 0, last = !rod.closed && place.piece + 1 == pieces;
+  const auto add = [&](double from, double direction, const std::vector<double>& cuts) {
+    for (const double cut : cuts) {
+      double where = from + direction * cut;
+      if (rod.closed) where = std::fmod(where + total, total);
+      order.emplace_back(where, helping_point(plan, rod, curve.at_length(where)));
+    }
+  };
+  add(start, -1, growing_steps(left, neighbour(place.piece - 1), false));
+  add(start + own, 1, growing_steps(right, neighbour(place.piece + 1), false));
+  add(at, 1, growing_steps(left, right, first));
+  add(at, -1, growing_steps(right, left, last));
+  order.emplace_back(at, point);
+  std::sort(order.begin(), order.end());
+  std::vector<int>& points = plan.rods[r].points;
+  points.clear();
+  for (const auto& [where, number] : order) points.push_back(number);
 }
 
 RodPlace place_on(const RodCurve& curve, const Part& part, double share) {
@@ -133,32 +207,29 @@ double radius_at(const Plan& plan, const PlanRod& rod, const RodPlace& place, do
 }
 
 void put_on_rod(Plan& plan, std::size_t r, const RodPlace& place, int point) {
-  const std::size_t n = plan.rods[r].points.size();
-  const auto begin = [&] { return plan.rods[r].points.begin() + place.piece + 1; };
-  if (plan.rods[r].curve != PlanCurve::kArc || (plan.rods[r].closed && n == 3)) {
-    plan.rods[r].points.insert(begin(), point);
-    return;
+  switch (plan.rods[r].curve) {
+    case PlanCurve::kStraight:
+      plan.rods[r].points.insert(plan.rods[r].points.begin() + place.piece + 1, point);
+      break;
+    case PlanCurve::kArc:
+      put_on_arc(plan, r, place, point);
+      break;
+    case PlanCurve::kSpline:
+      put_on_spline(plan, r, place, point);
+      break;
   }
-  // The other half of the arc that is cut in two needs a point of its own.
-  const bool first_half = place.piece % 2 == 0;
-  RodPlace half{place.piece, first_half ? place.s / 2 : (place.s + 1) / 2, Vec2::Zero(), 0};
-  half.at = RodCurve(plan, plan.rods[r]).point(half.piece, half.s);
-  const double r_n = radius_at(plan, plan.rods[r], half, &PlanPoint::r_n);
-  const double r_b = radius_at(plan, plan.rods[r], half, &PlanPoint::r_b);
-  const int helper = add_point(plan, half.at, r_n, r_b);
-  plan.rods[r].points.insert(begin(), point);
-  plan.rods[r].points.insert(first_half ? begin() : begin() + 1, helper);
 }
 
 OnRod point_on_rod(Plan& plan, std::size_t r, const Vec2& at) {
   const PlanRod& rod = plan.rods[r];
-  const RodPlace place = RodCurve(plan, rod).nearest(at);
+  const RodCurve curve(plan, rod);
+  const RodPlace place = curve.nearest(at);
+  const double least = 0.05 * curve.length(place.piece);
   for (const int i : rod.points) {
     const PlanPoint& point = plan.points[static_cast<std::size_t>(i)];
-    if ((point.at - place.at).norm() <= point.r_b) return {i, false};
+    if ((point.at - place.at).norm() <= std::max(point.r_b, least)) return {i, false};
   }
-  const double r_n = radius_at(plan, rod, place, &PlanPoint::r_n), r_b = radius_at(plan, rod, place, &PlanPoint::r_b);
-  const int point = add_point(plan, place.at, r_n, r_b);
+  const int point = helping_point(plan, rod, place);
   put_on_rod(plan, r, place, point);
   return {point, true};
 }

@@ -37,11 +37,12 @@ class RodCurve {
   std::optional<HermiteCurve<Vec2>> spline_;
 };
 
-/// Puts a point into the list of a rod. Arcs get helping points besides, so that they keep their circles.
+/// Puts a point into the list of a rod. Helping points besides keep its line: in arcs one on the same circle, in splines,
+/// which turn in loops where pieces of very different lengths meet, some that let the lengths grow step by step.
 void put_on_rod(Plan& plan, std::size_t rod, const RodPlace& place, int point);
 
 /// The point of a rod at its place nearest to `at`: a new one, or one that is there already, not further away than the rod
-/// is wide.
+/// is wide or than a twentieth of the piece.
 struct OnRod {
   int point = 0;
   bool made = false;

@@ -1,11 +1,14 @@
 /// Every edit of a plan: a right use of each, refused ones, and what refers to what was edited.
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
 #include "lissom/editing/edits_json.h"
 #include "lissom/editing/plan_json.h"
+#include "lissom/editing/rod_curve.h"
+#include "lissom/editing/templates.h"
 #include "lissom/editing/tool_constraints.h"
 #include "lissom/model/document.h"
 
@@ -163,6 +166,54 @@ TEST(Edits, InsertsPointsWhereTheRodIsNearest) {
   EXPECT_EQ(point(out.model, "p1").r_b, 7e-4);
   EXPECT_EQ(point(out.model, "p1").r_n, 2e-4);
   EXPECT_EQ(refused({{"name", "insert_point"}, {"rod", "frame"}, {"at_mm", {60.1, 0}}}).where, "/edit/at_mm");
+}
+
+/// Largest distance of a place on one rod from another, m.
+double distance_between(const PlanRod& rod, const Model& in, const PlanRod& other, const Model& there) {
+  const RodCurve from(*in.plan, rod), to(*there.plan, other);
+  double largest = 0;
+  for (int piece = 0; piece < from.pieces(); ++piece) {
+    for (int k = 0; k < 8; ++k) largest = std::max(largest, to.nearest(from.point(piece, k / 8.0)).distance);
+  }
+  return largest;
+}
+
+TEST(Edits, SplinesStayNearTheirLineWhereverAPointIsPut) {
+  const Model before = templates()[0].make();
+  ASSERT_EQ(before.plan->rods[0].name, "rim");
+  const RodCurve rim(*before.plan, before.plan->rods[0]);
+  for (int k = 1; k < 40; ++k) {
+    const Vec2 at = 1e3 * rim.point(2, k / 40.0);
+    const Result<EditOutcome> out =
+        apply_edit(before, {{"name", "insert_point"}, {"rod", "rim"}, {"at_mm", {at.x(), at.y()}}});
+    if (!out) {
+      EXPECT_TRUE(k <= 2 || k >= 38) << "too near to a point that is there: " << out.error().text();
+      continue;
+    }
+    const Model& after = out.value().model;
+    EXPECT_LE(after.plan->points.size(), 13U) << "one point, and some that lead up to it";
+    EXPECT_LT(distance_between(after.plan->rods[0], after, before.plan->rods[0], before), 2e-3) << k;
+  }
+}
+
+TEST(Edits, OpenSplinesTakePointsNearTheirEnds) {
+  const Model two =
+      done({{"name", "add_rod"}, {"through", {{{"point", "b"}}, {{"point", "m"}}}}, {"curve", "spline"}}).model;
+  for (const double share : {0.06, 0.1, 0.3, 0.5, 0.8, 0.94}) {
+    const Json at = {60 - 30 * share, 30 * share};
+    const Model after = done(two, {{"name", "insert_point"}, {"rod", "rod1"}, {"at_mm", at}}).model;
+    EXPECT_LT(distance_between(rod(after, "rod1"), after, rod(two, "rod1"), two), 1e-6) << share;
+  }
+}
+
+TEST(Edits, ANewcomerDrawsAcrossADisc) {
+  Model disc = templates()[0].make();
+  const auto on_rim = [](double x, double y) { return Json{{"rod", "rim"}, {"at_mm", {x, y}}}; };
+  disc = done(disc, {{"name", "add_rod"}, {"through", {on_rim(-60, 4), on_rim(60, -9)}}}).model;
+  const EditOutcome out = done(disc, {{"name", "add_rod"}, {"through", {on_rim(5, -60), on_rim(-30, 52)}}});
+  EXPECT_EQ(out.notes.size(), 1U);
+  EXPECT_EQ(rod(out.model, "rod1").points.size(), 3U);
+  EXPECT_EQ(rod(out.model, "rod2").points.size(), 3U);
 }
 
 TEST(Edits, RemovesPointsAndRodsAndWhatNamedThem) {

@@ -66,7 +66,10 @@ class RandomEdits {
     if (name == "set_role") return {{"rods", {rod(plan)}}, {"role", pick(2) == 0 ? "rod" : "ghost"}};
     if (name == "set_split") return {{"points", points(plan, 1)}, {"split", pick(2) == 0}};
     if (name == "set_curve") return {{"rods", {rod(plan)}}, {"curve", pick(2) == 0 ? "spline" : "straight"}};
-    if (name == "set_closed") return {{"rod", rod(plan)}, {"closed", pick(2) == 0}};
+    if (name == "set_closed") {
+      const PlanRod& other = plan.rods[pick(plan.rods.size())];
+      return {{"rod", other.name}, {"closed", !other.closed}};
+    }
     if (name == "split_rod") {
       const PlanRod& rod = plan.rods[pick(plan.rods.size())];
       const int at = rod.points[rod.points.size() / 2];
