@@ -87,7 +87,7 @@ function namedShapes(): NamedShape[] {
   if (flatShape.value) shapes.push({ key: 'shape:flat', title: 'Flat plan', detail: show.flat.value ? 'shown' : 'hidden' });
   if (previousShape.value) shapes.push({ key: 'shape:previous', title: 'Previous shape', detail: show.previous.value ? 'shown' : 'hidden' });
   for (const [k, branch] of (branches.value?.branches ?? []).entries()) {
-    const title = branch.present ? 'Present shape' : branch.mirrored ? 'Mirrored shape' : `Stable shape ${k + 1}`;
+    const title = branch.present ? 'Present shape' : `Stable shape ${k + 1}`;
     shapes.push({ key: `shape:${k}`, title, detail: `${fixed(branch.energy_mj, 2)} mJ` });
   }
   return shapes;

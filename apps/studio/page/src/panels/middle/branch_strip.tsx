@@ -10,7 +10,7 @@ import { fixed } from '../logic/number_text';
 import { picture, type Line } from '../logic/projection';
 
 /** Rods of a mesh as lines of nodes. */
-export function rodLines(mesh: TopologyPack): Line[] {
+function rodLines(mesh: TopologyPack): Line[] {
   return Array.from({ length: mesh.rod_starts.length - 1 }, (_, r) => {
     const nodes = [...mesh.rod_nodes.subarray(mesh.rod_starts[r], mesh.rod_starts[r + 1])];
     return { nodes: mesh.rods[r]?.closed && nodes.length > 0 ? [...nodes, nodes[0]] : nodes };
@@ -50,7 +50,7 @@ export function BranchStrip() {
             >
               {shapes && mesh && shapes.topology === mesh.topology && <Thumbnail of={shapes} mesh={mesh} branch={k} />}
               <span class="small">
-                {branch.present ? 'Present shape' : branch.mirrored ? 'Mirrored' : 'Other shape'}
+                {branch.present ? 'Present shape' : `Shape ${k + 1}`}
                 <br />
                 {fixed(branch.energy_mj, 2)} mJ, {fixed(branch.height_mm, 1)} mm high
               </span>

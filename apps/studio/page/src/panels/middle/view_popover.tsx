@@ -40,7 +40,7 @@ export function ViewPopover() {
   );
 }
 
-export function FieldChoices() {
+function FieldChoices() {
   const known = hello.value?.fields;
   const options = (fields: readonly NamedField[] | undefined) => [
     { value: '', title: 'Plain material' },
