@@ -46,7 +46,7 @@ export function applyEvent(event: EngineEvent): void {
       break;
     case 'history':
       // What stood before the step is what "previous" compares with.
-      if (event.at !== store.history.peek()?.at) store.previousShape.value = store.settledShape.peek();
+      if (event.at !== store.history.peek()?.at) keepPrevious();
       store.history.value = event;
       break;
     case 'verdict':
@@ -114,10 +114,18 @@ function sameDesign(before: PlanEvent | null, now: PlanEvent): boolean {
   return 2 * kept >= Math.min(before.points.length, now.points.length);
 }
 
+function keepPrevious(): void {
+  batch(() => {
+    store.previousMesh.value = store.settledMesh.peek();
+    store.previousShape.value = store.settledShape.peek();
+  });
+}
+
 /** Forgets mesh and shape: another engine counts its meshes anew. */
 export function forgetShape(): void {
   batch(() => {
     store.topology.value = store.shape.value = store.settledShape.value = store.picture.value = null;
+    store.settledMesh.value = store.previousMesh.value = null;
     store.flatShape.value = store.previousShape.value = store.preview.value = null;
     store.modeShapes.value = store.branchShapes.value = null;
   });
@@ -174,7 +182,9 @@ function applyShape(pack: ShapePack): void {
     store.fabricField.value = pack.field_fabric.name;
     store.shape.value = pack;
     store.picture.value = { topology, shape: pack };
-    if (pack.settled) store.settledShape.value = pack;
+    if (!pack.settled) return;
+    store.settledShape.value = pack;
+    store.settledMesh.value = topology;
   });
 }
 

@@ -67,10 +67,13 @@ export const shape = signal<ShapePack | null>(null);
 export const picture = signal<{ topology: TopologyPack; shape: ShapePack } | null>(null);
 /** The newest shape that was settled. */
 export const settledShape = signal<ShapePack | null>(null);
+export const settledMesh = signal<TopologyPack | null>(null);
 /** The plan itself as a shape, for the overlay "flat". */
 export const flatShape = signal<ShapePack | null>(null);
 /** The shape before the last step of history, for the overlay "previous". */
 export const previousShape = signal<ShapePack | null>(null);
+/** Its mesh, which may be another one than now. */
+export const previousMesh = signal<TopologyPack | null>(null);
 /** Linear answer to the handle; null when no handle is held. `changes`, `rms_mm`, `residual_n`, `stale` are for panels. */
 export const preview = signal<PreviewPack | null>(null);
 export const modeShapes = signal<ModesPack | null>(null);

@@ -3,6 +3,7 @@
 import { css } from '../core/colours';
 import type { Vec2 } from '../core/protocol';
 import { marks, niceStep } from '../core/scale_bar';
+import { middleOf } from '../core/snapping';
 import { rgba, trace } from './plan_paint';
 import type { PlanScene } from './plan_scene';
 
@@ -14,6 +15,19 @@ export const kRuler = 20;
 export function paintOver(pen: Pen, scene: PlanScene): void {
   paintSketch(pen, scene);
   paintMarquee(pen, scene);
+  paintHovered(pen, scene);
+}
+
+/** The name of what is hovered, here or elsewhere; a tool that says something has the word. */
+function paintHovered(pen: Pen, { plan, hover, moves, sketch, marquee, palette, pixel }: PlanScene): void {
+  if (!plan || !hover || sketch.texts.length > 0 || marquee || moves.size > 0) return;
+  const point = hover.kind === 'point' ? plan.points.find((p) => p.name === hover.name)?.at_mm : undefined;
+  const rod = hover.kind === 'rod' ? plan.rods.find((r) => r.name === hover.name) : undefined;
+  const at = point ?? (rod && middleOf(rod.line_mm));
+  if (!at) return;
+  pen.font = '600 12px system-ui, sans-serif';
+  const text = rod ? `${rod.name}, ${rod.length_mm.toFixed(1)} mm` : hover.name;
+  plate(pen, text, pixel(at), css(palette.ink), css(palette.ground));
 }
 
 function paintSketch(pen: Pen, { sketch, palette, pixel }: PlanScene): void {

@@ -22,7 +22,11 @@ export function syncGhosts(view: View): () => void {
     });
   const ends = [
     ofPack('flat', () => store.show.flat.value, () => store.flatShape.value),
-    ofPack('previous', () => store.show.previous.value, () => store.previousShape.value),
+    effect(() => {
+      // The step may have brought another mesh: this shape is drawn with its own.
+      const shown = store.show.previous.value;
+      put('previous', store.previousMesh.value, shown ? (store.previousShape.value?.positions ?? null) : null);
+    }),
     ofPack('preview', () => store.show.preview.value, () => (moves(store.preview.value?.positions) ? store.preview.value : null)),
     effect(() => {
       const topology = store.picture.value?.topology ?? null;
