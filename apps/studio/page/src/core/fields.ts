@@ -2,7 +2,7 @@
 
 import { send } from './connection';
 import type { FieldInfo, ShapePack } from './protocol';
-import { fabricField, fabricRange, rodField, rodRange, type LegendRange } from './store';
+import { design, fabricField, fabricRange, rodField, rodRange, type LegendRange } from './store';
 import type { Signal } from '@preact/signals-core';
 
 /** Asks the engine for other values (for all pages); empty names: plain material. */
@@ -12,8 +12,15 @@ export function setFields(rods: string, fabric: string): void {
   void send({ do: 'fields', rods, fabric });
 }
 
+/** What the ranges were fitted to last. */
+let fitted = '';
+
 /** Unlocked ranges follow the values of a shape. */
 export function fitRanges(shape: ShapePack): void {
+  // While a solve runs colours hold still; other values and other designs get a range of their own at once.
+  const of = `${design.peek()} ${shape.field_rods?.name} ${shape.field_fabric?.name}`;
+  if (!shape.settled && of === fitted) return;
+  fitted = of;
   follow(rodRange, shape.field_rods);
   follow(fabricRange, shape.field_fabric);
 }
