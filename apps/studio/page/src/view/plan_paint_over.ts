@@ -19,7 +19,8 @@ export function paintOver(pen: Pen, scene: PlanScene): void {
 }
 
 /** The name of what is hovered, here or elsewhere; a tool that says something has the word. */
-function paintHovered(pen: Pen, { plan, hover, moves, sketch, marquee, palette, pixel }: PlanScene): void {
+function paintHovered(pen: Pen, scene: PlanScene): void {
+  const { plan, hover, moves, sketch, marquee } = scene;
   if (!plan || !hover || sketch.texts.length > 0 || marquee || moves.size > 0) return;
   const point = hover.kind === 'point' ? plan.points.find((p) => p.name === hover.name)?.at_mm : undefined;
   const rod = hover.kind === 'rod' ? plan.rods.find((r) => r.name === hover.name) : undefined;
@@ -27,10 +28,11 @@ function paintHovered(pen: Pen, { plan, hover, moves, sketch, marquee, palette, 
   if (!at) return;
   pen.font = '600 12px system-ui, sans-serif';
   const text = rod ? `${rod.name}, ${rod.length_mm.toFixed(1)} mm` : hover.name;
-  plate(pen, text, pixel(at), css(palette.ink), css(palette.ground));
+  plate(pen, text, scene.pixel(at), scene);
 }
 
-function paintSketch(pen: Pen, { sketch, palette, pixel }: PlanScene): void {
+function paintSketch(pen: Pen, scene: PlanScene): void {
+  const { sketch, palette, pixel } = scene;
   if (sketch.guide) {
     pen.setLineDash([2, 4]);
     pen.lineWidth = 1;
@@ -57,7 +59,7 @@ function paintSketch(pen: Pen, { sketch, palette, pixel }: PlanScene): void {
     pen.stroke();
   }
   pen.font = '600 12px system-ui, sans-serif';
-  for (const { at, text } of sketch.texts) plate(pen, text, pixel(at), css(palette.ink), css(palette.ground));
+  for (const { at, text } of sketch.texts) plate(pen, text, scene.pixel(at), scene);
 }
 
 function dot(pen: Pen, [x, y]: Vec2, radius: number, fill: string): void {
@@ -68,13 +70,17 @@ function dot(pen: Pen, [x, y]: Vec2, radius: number, fill: string): void {
 }
 
 /** Text on a plate of its own: a halo of strokes takes five times as long. */
-function plate(pen: Pen, text: string, [x, y]: Vec2, ink: string, ground: string): void {
+function plate(pen: Pen, text: string, [x, y]: Vec2, { palette, size }: PlanScene): void {
+  const [ink, ground, right] = [css(palette.ink), css(palette.ground), size.width];
   pen.textAlign = 'left';
   pen.textBaseline = 'alphabetic';
+  const width = Math.ceil(pen.measureText(text).width) + 6;
+  const left = Math.round(x + 9 + width > right ? x - 9 - width : x + 9);
+  const top = Math.round(y - 23 < kRuler ? y + 9 : y - 23);
   pen.fillStyle = ground;
-  pen.fillRect(Math.round(x + 9), Math.round(y - 23), Math.ceil(pen.measureText(text).width) + 6, 18);
+  pen.fillRect(left, top, width, 18);
   pen.fillStyle = ink;
-  pen.fillText(text, x + 12, y - 10);
+  pen.fillText(text, left + 3, top + 13);
 }
 
 function paintMarquee(pen: Pen, { marquee, palette, pixel }: PlanScene): void {
