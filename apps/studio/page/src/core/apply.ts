@@ -3,7 +3,7 @@
 import { batch } from '@preact/signals-core';
 import { CalmWriter } from './calm';
 import { fitRanges } from './fields';
-import type { EngineEvent, FieldInfo, Pack, PlanEvent, ShapePack, TopologyPack } from './protocol';
+import type { EngineEvent, FieldInfo, Pack, PlanEvent, Request, ShapePack, TopologyPack } from './protocol';
 import * as store from './store';
 
 const kLogLines = 200;
@@ -45,7 +45,6 @@ export function applyEvent(event: EngineEvent): void {
       });
       break;
     case 'history':
-      // What stood before the step is what "previous" compares with.
       if (event.at !== store.history.peek()?.at) keepPrevious();
       store.history.value = event;
       break;
@@ -116,9 +115,23 @@ function sameDesign(before: PlanEvent | null, now: PlanEvent): boolean {
 
 function keepPrevious(): void {
   batch(() => {
-    store.previousMesh.value = store.settledMesh.peek();
-    store.previousShape.value = store.settledShape.peek();
+    store.previousMesh.value = before?.mesh ?? null;
+    store.previousShape.value = before?.shape ?? null;
   });
+}
+
+/** What stood when the last change of the design was asked for. */
+let before: { mesh: TopologyPack | null; shape: ShapePack | null; drag: number } | null = null;
+
+const kChanges = new Set<Request['do']>(['edit', 'drag', 'undo', 'redo', 'go_to', 'mode_adopt', 'handle_accept', 'branch_take', 'remedy']);
+
+/** Remembers the settled shape before a request changes it. Shapes come while a drag goes on and before the history says
+ *  that there is a step: what stood before has to be kept when the change begins. */
+export function rememberBefore(request: Request): void {
+  if (!kChanges.has(request.do)) return;
+  const drag = request.do === 'drag' ? request.drag : 0;
+  if (drag !== 0 && drag === before?.drag) return;
+  before = { mesh: store.settledMesh.peek(), shape: store.settledShape.peek(), drag };
 }
 
 /** Forgets mesh and shape: another engine counts its meshes anew. */

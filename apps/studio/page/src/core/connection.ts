@@ -1,7 +1,7 @@
 // The WebSocket to the engine. Every request gets a promise; when the connection is lost it is tried again, hello is said
 // anew and the engine resends its whole state. What was under way is given up: its promises answer with code "lost".
 
-import { applyEvent, applyPack, forgetShape } from './apply';
+import { applyEvent, applyPack, forgetShape, rememberBefore } from './apply';
 import { note } from './latency';
 import { decodePack } from './packs';
 import type { Answer, Edit, EngineEvent, Hello, Pack, Request } from './protocol';
@@ -63,6 +63,7 @@ export class Connection {
   send(request: Request): Promise<Answer> {
     const id = this.nextId++;
     if (!this.wire || (connection.peek() !== 'open' && request.do !== 'hello')) return Promise.resolve(lostAnswer(id));
+    rememberBefore(request);
     return new Promise((resolve) => {
       this.waiting.set(id, resolve);
       this.wire?.send(JSON.stringify({ id, ...request }));

@@ -179,6 +179,27 @@ describe('connection', () => {
     expect([...store.selection.value.points]).toEqual(['a']);
   });
 
+  test('what stood before a step is what stood before its drag', async () => {
+    const wire = await open();
+    wire.say({ ...plan() });
+    wire.say({ event: 'history', steps: [], at: 0, saved_at: 0 });
+    wire.onmessage?.({ data: topologyPack() });
+    wire.onmessage?.({ data: shapePack(2, 1) });
+    frames.splice(0).forEach((run) => run());
+    const drag = new Drag();
+    drag.update({ name: 'set_title', title: 'x' });
+    wire.onmessage?.({ data: shapePack(3, 2) });
+    frames.splice(0).forEach((run) => run());
+    await wire.answer();
+    drag.update({ name: 'set_title', title: 'y' });
+    wire.onmessage?.({ data: shapePack(4, 3) });
+    frames.splice(0).forEach((run) => run());
+    wire.say({ event: 'history', steps: [{ title: 'x', seconds: 1 }], at: 1, saved_at: 0 });
+    expect(store.shape.value?.sequence).toBe(4);
+    expect(store.previousShape.value?.sequence).toBe(2);
+    expect(store.previousMesh.value?.topology).toBe(7);
+  });
+
   test('counts designs, not names', async () => {
     const wire = await open();
     const before = store.design.value;
