@@ -11,6 +11,7 @@
 #include <mutex>
 #include <netinet/tcp.h>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <sys/socket.h>
@@ -23,7 +24,7 @@
 
 namespace lissom::testing {
 
-/// Answers every message by itself; "pack N SEED" by a pack of N bytes. Counts pages.
+/// Answers every message by itself; "pack N" by a pack of N bytes, "throw" by an exception. Counts pages.
 class FakeDoor : public StudioDoor {
  public:
   int connect(Send send) override {
@@ -34,6 +35,7 @@ class FakeDoor : public StudioDoor {
   void receive(int page, std::string text) override {
     const std::lock_guard lock(mutex_);
     ++received_;
+    if (text == "throw") throw std::runtime_error("the door broke");
     StudioMessage answer;
     if (text.starts_with("pack ")) {
       answer.kind = StudioMessage::Kind::kPack;

@@ -191,6 +191,17 @@ TEST(StudioLive, PagesThatDoNotAnswerPingsAreClosed) {
   EXPECT_TRUE(test.logs("too slow"));
 }
 
+TEST(StudioLive, WhatBreaksOnePageLeavesTheOthers) {
+  TestServer test;
+  const std::string cookie = test.let_in();
+  const auto broken = test.open_page(cookie), other = test.open_page(cookie);
+  ASSERT_TRUE(broken && other && soon([&] { return test.door.pages() == 2; }));
+  broken->send(frame_bytes({.payload = "throw"}));
+  EXPECT_TRUE(test.logs("the door broke"));
+  EXPECT_TRUE(soon([&] { return test.door.pages() == 1; }));
+  EXPECT_EQ(echo(*other, "here"), "here");
+}
+
 TEST(StudioLive, EndsWithAllItsPages) {
   TestServer test;
   const std::string cookie = test.let_in();

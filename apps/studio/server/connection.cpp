@@ -27,6 +27,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(ServerCore& core, tcp::socket socket)
       : core_(core), stream_(std::move(socket)), arrived_(core.options.header_bytes) {}
+  ~Connection() { core_.crowd.exit(member_); }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
   void start() {
     const std::weak_ptr<Connection> weak = weak_from_this();

@@ -31,6 +31,9 @@ class LiveSocket : public std::enable_shared_from_this<LiveSocket> {
         timer_(executor_),
         socket_(std::in_place, std::move(stream)),
         arrived_(core.options.message_bytes) {}
+  ~LiveSocket() { sign_off(); }
+  LiveSocket(const LiveSocket&) = delete;
+  LiveSocket& operator=(const LiveSocket&) = delete;
 
   void start(const EmptyRequest& request);
 
@@ -43,6 +46,7 @@ class LiveSocket : public std::enable_shared_from_this<LiveSocket> {
   void watch(bool was_open);
   void say_goodbye(websocket::close_code code, const char* reason);
   void end();
+  void sign_off();
   void refuse_read(error_code error);
 
   ServerCore& core_;
@@ -91,11 +95,13 @@ void LiveSocket::on_open(error_code error) {
   read();
 }
 
-/// Once the WebSocket is closed the page has to end the connection too. Not every one does.
+/// Once the WebSocket is closed the page has to end the connection too. Not every one does. Holds nothing: a page whose other
+/// handlers are gone, by an exception, goes too.
 void LiveSocket::watch(bool was_open) {
   timer_.expires_after(kFarewell);
-  timer_.async_wait([self = shared_from_this(), was_open](error_code error) {
-    if (error || self->closing_) return;
+  timer_.async_wait([weak = weak_from_this(), was_open](error_code error) {
+    const auto self = weak.lock();
+    if (error || !self || self->closing_) return;
     const bool open = self->socket_->is_open();
     if (!open && !was_open) return self->end();
     self->watch(open);
@@ -171,17 +177,19 @@ void LiveSocket::say_goodbye(websocket::close_code code, const char* reason) {
 void LiveSocket::end() {
   if (std::exchange(ended_, true)) return;
   closing_ = true;
-  outbox_->close();
-  core_.crowd.exit(member_);
-  if (std::exchange(open_, false)) {
-    core_.pages.erase(page_);
-    core_.door.disconnect(page_);
-  }
+  sign_off();
   timer_.cancel();
   beast::get_lowest_layer(*socket_).close();
   // In Beast 1.74 reading can wait for closing and closing for reading when a broken frame arrives between them. They wait
   // inside of the stream and hold this object, so the stream has to go.
   net::post(executor_, [self = shared_from_this()] { self->socket_.reset(); });
+}
+
+/// Nobody counts on this page any more. Also where a connection ends by an exception.
+void LiveSocket::sign_off() {
+  if (outbox_) outbox_->close();
+  core_.crowd.exit(member_);
+  if (std::exchange(open_, false) && core_.pages.erase(page_) > 0) core_.door.disconnect(page_);
 }
 
 }  // namespace

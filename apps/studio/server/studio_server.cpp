@@ -70,10 +70,10 @@ void StudioServer::Impl::on_accept(const error_code& error, tcp::socket socket) 
     });
     return;
   }
+  accept();
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   start_connection(*core, std::move(socket));
-  accept();
 }
 
 void StudioServer::Impl::run() {
