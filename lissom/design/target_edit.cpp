@@ -5,11 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "lissom/design/shape_modes.h"
+
 namespace lissom {
 
 namespace {
 
 constexpr int kPowerSteps = 30;
+constexpr int kMostStaying = 300;
 constexpr double kNearBound = 0.01;  // of the range
 
 BoundMap map_of(std::span<const Parameter> parameters) {
@@ -36,7 +39,7 @@ double largest_eigenvalue(const MatX& matrix) {
 }  // namespace
 
 TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints,
-                       std::vector<PulledNode> pulled)
+                       std::vector<PulledNode> pulled, double stay)
     : response_(std::move(response)),
       constraints_(std::move(constraints)),
       pulled_(std::move(pulled)),
@@ -59,9 +62,35 @@ TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstr
   normal.selfadjointView<Eigen::Lower>().rankUpdate(rows_);
   normal = MatX(normal.selfadjointView<Eigen::Lower>());
   rows_.transposeInPlace();
+  if (stay > 0) add_stay(stay, normal);
   const double least = kLeastChange * largest_eigenvalue(normal);
   normal.diagonal().array() += least > 0 ? least : 1;
   normal_.compute(normal);
+}
+
+void TargetEdit::add_stay(double stay, MatX& normal) const {
+  const ShapeResponse& s = *response_;
+  std::vector<bool> is_pulled(static_cast<std::size_t>(s.system().layout.nodes()), false);
+  double total = 0;
+  for (const PulledNode& node : pulled_) {
+    is_pulled[static_cast<std::size_t>(node.node)] = true;
+    total += node.weight * node.weight;
+  }
+  std::vector<int> rest;
+  for (const int node : spread_nodes(s.system(), kMostStaying)) {
+    if (!is_pulled[static_cast<std::size_t>(node)]) rest.push_back(node);
+  }
+  if (rest.empty()) return;
+  const double weight = stay * std::sqrt(total / static_cast<double>(rest.size()));
+  MatX rows(3 * static_cast<Eigen::Index>(rest.size()), s.size());
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    rows.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = weight * s.matrix().middleRows<3>(3 * rest[i]);
+  }
+  rows.array().rowwise() *= slope_.transpose().array();
+  rows.transposeInPlace();
+  projection_.apply(rows);
+  normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
+  normal = MatX(normal.selfadjointView<Eigen::Lower>());
 }
 
 TargetEdit::Answer TargetEdit::answer(const VecX& wanted) const {

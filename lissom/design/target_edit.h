@@ -23,8 +23,10 @@ class TargetEdit {
   /// `kLeastChange` times the largest eigenvalue of the normal matrix.
   static constexpr double kLeastChange = 1e-6;
 
-  TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints,
-             std::vector<PulledNode> pulled);
+  /// `stay`: how much all that is not pulled wants to stay where it is, against the pull: 0 as in (6.5), where a soft mode of
+  /// the whole may answer to the pull at a single node.
+  TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints, std::vector<PulledNode> pulled,
+             double stay);
 
   struct Answer {
     VecX p;      ///< SI, within the bounds
@@ -41,6 +43,8 @@ class TargetEdit {
   const BoundMap& bounds() const { return map_; }
 
  private:
+  void add_stay(double stay, MatX& normal) const;
+
   std::shared_ptr<const ShapeResponse> response_;
   HardConstraints constraints_;
   std::vector<PulledNode> pulled_;

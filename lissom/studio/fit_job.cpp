@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kMillimetres = 1e3;
-constexpr int kMostIterations = 15;
-constexpr double kNearEnough = 0.02;  // of the distance at the start
-constexpr double kTooLittle = 0.02;   // of the value: a fit that gains less in an iteration has arrived
-constexpr double kNearBound = 1e-6;   // of the range
-const MeshLimits kFitLimits{.angle_ratio = 0.3, .length_ratio = 1.7, .turn_ratio = 2.5};
+constexpr int kMostIterations = 25;
+constexpr double kNearEnough = 0.05;  // of the distance at the start
+constexpr double kTooLittle = 0.02;   // of the value: gaining less, three times in a row, is arriving
+constexpr int kMostIdle = 3;
+constexpr double kNearBound = 1e-6;  // of the range
 
 std::vector<std::string> at_bounds(const ShapeFit& fit) {
   std::vector<std::string> names;
@@ -45,9 +45,13 @@ Json result_of(const ShapeFit& fit, double before) {
 
 }  // namespace
 
+MeshLimits fit_limits() { return {.angle_ratio = 0.3, .length_ratio = 1.7, .turn_ratio = 2.5}; }
+
 std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
                                      const std::function<void(const FitRecord&)>& tell) {
   OptimizeOptions options;
+  // Many parameters hardly matter to a shape: damped steps leave them alone.
+  options.method = DesignMethod::kLevenbergMarquardt;
   options.max_iterations = kMostIterations;
   options.value_tolerance = kNearEnough * kNearEnough * fit.value();
   options.decrease_tolerance = 1e-4;
@@ -55,19 +59,20 @@ std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
   options.max_halvings = 5;
   Optimizer optimizer(fit, options);
   tell({0, fit.distance(), fit.value()});
-  for (int iteration = 1;; ++iteration) {
+  for (int iteration = 1, idle = 0; idle < kMostIdle; ++iteration) {
     const double before = fit.value();
     if (!optimizer.step(context)) return optimizer.state().verdict;
     tell({iteration, fit.distance(), fit.value()});
     if (optimizer.state().verdict || context.cancelled()) return optimizer.state().verdict;
-    if (fit.value() < before && before - fit.value() < kTooLittle * before) return DesignVerdict::kConverged;
+    if (fit.value() < before) idle = before - fit.value() < kTooLittle * before ? idle + 1 : 0;
   }
+  return DesignVerdict::kConverged;
 }
 
 void start_fit(Desk& desk, FitTask task) {
   desk.jobs().start("fit", "mm", [&desk, task = std::move(task)](const Context& context) {
     Result<std::unique_ptr<ShapeFit>> made =
-        ShapeFit::make(task.response, task.constraints, task.target, kFitLimits, context);
+        ShapeFit::make(task.response, task.constraints, task.target, fit_limits(), context);
     if (!made) return Jobs::End{Jobs::End::State::kFailed, made.error().text(), {}};
     ShapeFit& fit = *made.value();
     const double before = fit.distance();

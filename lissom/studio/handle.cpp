@@ -5,15 +5,17 @@
 #include <optional>
 #include <utility>
 
+#include "lissom/equilibrium/newton_workspace.h"
+#include "lissom/equilibrium/rigid_drift.h"
+#include "lissom/equilibrium/step_path.h"
 #include "lissom/geometry/frame.h"
-#include "lissom/mechanics/potential.h"
 
 namespace lissom {
 
 namespace {
 
 constexpr double kLeastWeight = 0.01;  // below it a node is not pulled
-constexpr double kStale = 0.3;         // of the answer, what balancing would move the shape by
+constexpr double kStale = 0.35;        // rad: rods that turn further are not where a linear answer has them
 constexpr int kMostTargets = 700;      // nodes by which shapes are compared
 constexpr double kPulledWeight = 4;    // of pulled nodes among them
 
@@ -26,13 +28,14 @@ double falloff(double distance, double radius) {
 
 }  // namespace
 
-/// A problem of its own, whose numbers are those of the last answer, and a factor of the start to see what they would do.
+/// A problem of its own, whose numbers are those of the last answer, and the path that shapes follow there.
 struct Handle::Probe {
   System system;
   std::optional<StaticProblem> problem;
-  AssemblyBuffers buffers;
   Context context;
-  std::unique_ptr<PoseFollower> start;
+  std::optional<NewtonWorkspace> workspace;
+  std::optional<StepPathPolicy> path;
+  std::vector<double> strains;  ///< axial, of the edges at the start
 };
 
 Result<Handle> Handle::make(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints, HandleGrip grip,
@@ -65,13 +68,11 @@ Result<Handle> Handle::make(std::shared_ptr<const ShapeResponse> response, HardC
   Result<StaticProblem> problem = make_static_problem(base.model, probe->system, pose, "/poses");
   if (!problem) return problem.error();
   probe->problem.emplace(std::move(problem).value());
-  SolveOptions solve;
-  solve.modes = 0;
-  Result<std::unique_ptr<PoseFollower>> start = PoseFollower::make(base, s.start().pose, solve, probe->context);
-  if (!start) return start.error();
-  probe->start = std::move(start).value();
-  if (const PoseEnd end = probe->start->restore(base, s.start().state); end.outcome != Outcome::kSettled) {
-    return Error{ErrorCode::kConflict, {}, end.reason, "let the shape settle first"};
+  probe->workspace.emplace(*probe->problem, probe->context);
+  probe->path.emplace(*probe->workspace, StepPath::kRotating);
+  for (int e = 0; e < base.system.edge_count(); ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    probe->strains.push_back(s.start().state.edges[i].length / base.system.rest.edges[i].length - 1);
   }
   handle.probe_ = std::move(probe);
   handle.weigh();
@@ -102,7 +103,7 @@ void Handle::weigh() {
   for (int i = 0; i < nodes; ++i) {
     if (weight[static_cast<std::size_t>(i)] > kLeastWeight) pulled.push_back({i, weight[static_cast<std::size_t>(i)]});
   }
-  edit_ = std::make_unique<TargetEdit>(response_, constraints_, std::move(pulled));
+  edit_ = std::make_unique<TargetEdit>(response_, constraints_, std::move(pulled), grip_.stay);
 }
 
 Result<Handle::Preview> Handle::move(const HandleMove& move) {
@@ -119,34 +120,37 @@ Result<Handle::Preview> Handle::move(const HandleMove& move) {
     preview.wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = turn * arm - arm + move.move;
   }
   preview.answer = edit_->answer(preview.wanted);
-  if (!response_->moved(preview.answer.dq, preview.state)) {
+  if (!follow(preview)) {
     return Error{ErrorCode::kRange, "/move_mm", "the shape cannot be pulled that far at once",
                  "pull less, accept, and go on"};
   }
-  judge(preview);
   last_ = std::make_shared<const Preview>(preview);
   return preview;
 }
 
-void Handle::judge(Preview& preview) {
-  Result<Design> design = response_->space().at(preview.answer.p);
-  const auto pose = static_cast<std::size_t>(response_->start().pose);
-  if (!design || !renew_numbers(design.value().model, design.value().model.poses[pose], "/poses",
-                                std::move(design.value().system), probe_->system, *probe_->problem)) {
+bool Handle::follow(Preview& preview) const {
+  const ShapeResponse& s = *response_;
+  const auto pose = static_cast<std::size_t>(s.start().pose);
+  preview.turn = largest_turn(s.system(), s.start().state, preview.answer.dq);
+  preview.stale = preview.turn > kStale;
+  Result<Design> design = s.space().at(preview.answer.p);
+  const bool renewed = design && renew_numbers(design.value().model, design.value().model.poses[pose], "/poses",
+                                               std::move(design.value().system), probe_->system, *probe_->problem);
+  if (!renewed) {
+    // The design cannot be built on this mesh: what is shown is the straight line.
     preview.stale = true;
-    return;
+    return s.moved(preview.answer.dq, preview.state);
   }
-  const Supports& supports = probe_->problem->supports;
-  VecX gradient, free, step;
-  probe_->problem->potential.gradient(preview.state, gradient, probe_->buffers);
-  supports.restrict(gradient, free);
-  preview.residual = free.cwiseAbs().maxCoeff();
-  probe_->start->factor().solve(free, free);
-  supports.expand(free, step);
-  const int nodes = response_->system().layout.nodes();
-  preview.correction = step.head(3 * nodes).norm() / std::sqrt(nodes);
-  const double answer = preview.answer.dq.head(3 * nodes).norm() / std::sqrt(nodes);
-  preview.stale = preview.correction > kStale * answer && answer > 1e-4 * response_->system().structure.size;
+  // A straight line stretches rods that turn; along this path they keep their strains, and bend as they are asked to.
+  probe_->path->begin(s.start().state, preview.answer.dq, 1, false, probe_->strains);
+  if (!probe_->path->at(1, preview.state)) return s.moved(preview.answer.dq, preview.state);
+  lay_down(*probe_->problem, preview.state);
+  preview.state = pinned_down(*probe_->problem, preview.state, s.pins());
+  VecX gradient, free;
+  probe_->workspace->gradient(preview.state, gradient);
+  probe_->problem->supports.restrict(gradient, free);
+  preview.residual = probe_->workspace->residual(free);
+  return true;
 }
 
 ShapeTarget Handle::target() const {

@@ -17,6 +17,7 @@ struct HandleGrip {
   std::vector<int> nodes;  ///< taken hold of
   std::vector<int> held;   ///< that are to stay where they are, softly
   double radius = 0;       ///< m, around the nodes, within which others follow
+  double stay = 0.3;       ///< how much the rest wants to stay where it is (TargetEdit)
 };
 
 /// Where it is wanted since it was taken hold of.
@@ -39,11 +40,11 @@ class Handle {
   /// What the design answers.
   struct Preview {
     TargetEdit::Answer answer;
-    State state;            ///< to first order
-    VecX wanted;            ///< m, (3 per pulled node), displacements
-    double residual = 0;    ///< N, of the forces that are left at the linear answer
-    double correction = 0;  ///< m, root mean square: what balancing them would move the shape by
-    bool stale = false;     ///< that is no longer small against the answer
+    State state;          ///< to first order, rods as long as they are
+    VecX wanted;          ///< m, (3 per pulled node), displacements
+    double residual = 0;  ///< N, of the forces that are left there
+    double turn = 0;      ///< rad, largest of a rod edge
+    bool stale = false;   ///< it goes further than a linear answer is good for
   };
   Result<Preview> move(const HandleMove& move);
   /// Of the last move; null before.
@@ -57,7 +58,8 @@ class Handle {
   struct Probe;
   Handle() = default;
   void weigh();
-  void judge(Preview& preview);
+  /// The shape that goes with an answer, and what is to be said of it; false where there is none.
+  bool follow(Preview& preview) const;
 
   std::shared_ptr<const ShapeResponse> response_;
   HardConstraints constraints_;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <utility>
 
 #include "lissom/design/constrained_step.h"
@@ -197,9 +198,9 @@ Json ShapeTools::handle_event() const {
     event["stale"] = last->stale;
     event["sentence"] = last->stale
                             ? fmt::format(
-                                  "Pulled far: balancing the forces would move the shape by another {:.1f} mm. "
-                                  "Accept it, or settle here and go on",
-                                  kMillimetres * last->correction)
+                                  "Pulled far: rods turn by {:.0f} degrees, more than a preview is good for. "
+                                  "Accept it and go on from there",
+                                  last->turn * 180 / std::numbers::pi)
                             : fmt::format("Misses where it is pulled to by {:.2f} mm", kMillimetres * last->answer.rms);
   }
   return event;

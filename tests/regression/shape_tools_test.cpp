@@ -187,7 +187,7 @@ void pull(const std::string& scene, const char* point, const Vec3& move, double 
     const double share = (start.position(i) - start.position(grip)).norm() / radius;
     if (share < 0.99) pulled.push_back({i, (1 - share * share) * (1 - share * share)});
   }
-  const TargetEdit edit(r.response, {}, pulled);
+  const TargetEdit edit(r.response, {}, pulled, 0.3);
   VecX wanted(3 * static_cast<Eigen::Index>(pulled.size()));
   for (std::size_t i = 0; i < pulled.size(); ++i) wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = move;
   const TargetEdit::Answer answer = edit.answer(wanted);
