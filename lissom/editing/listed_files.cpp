@@ -19,11 +19,6 @@ constexpr int kMostVisited = 20'000;  // a home folder must not hold up the page
 constexpr std::uintmax_t kMostRead = std::uintmax_t{4} << 20;
 constexpr std::size_t kHead = 200;  // bytes in which a result says that it is one
 
-std::string name_of(const fs::path& path) {
-  const std::u8string text = path.generic_u8string();
-  return {text.begin(), text.end()};
-}
-
 /// What a document or result is, by what it says.
 std::string kind_in(const std::string& text) {
   if (std::string_view(text).substr(0, kHead).find("\"lissom_result\"") != std::string_view::npos) return "result";
@@ -48,6 +43,22 @@ double seconds_of(const fs::file_time_type& time) {
 }
 
 }  // namespace
+
+fs::path path_of(const std::string& name) { return {std::u8string(name.begin(), name.end())}; }
+
+std::string name_of(const fs::path& path) {
+  const std::u8string text = path.generic_u8string();
+  return {text.begin(), text.end()};
+}
+
+bool is_hidden(const std::string& file) {
+  const fs::path path = path_of(file);
+  return std::any_of(path.begin(), path.end(), [](const fs::path& step) { return name_of(step).starts_with('.'); });
+}
+
+bool is_document(const std::string& file) {
+  return !is_hidden(file) && path_of(file).extension() == kDocumentEnding && !is_history(file);
+}
 
 std::string history_name(const std::string& file) {
   std::string name = file;
@@ -88,7 +99,7 @@ std::vector<ListedFile> listed_files(const fs::path& folder) {
   std::sort(list.begin(), list.end(), [](const ListedFile& a, const ListedFile& b) { return a.name < b.name; });
   if (list.size() > kMostListed) list.resize(kMostListed);
   for (ListedFile& file : list) {
-    file.kind = kind_of(folder / fs::path(std::u8string(file.name.begin(), file.name.end())), file.bytes);
+    file.kind = kind_of(folder / path_of(file.name), file.bytes);
   }
   return list;
 }

@@ -13,6 +13,13 @@ namespace lissom {
 inline constexpr std::string_view kDocumentEnding = ".lissom", kHistoryEnding = ".history.json",
                                   kSideEnding = ".autosave";
 
+/// Names are UTF-8 with forward slashes, whatever the system has.
+std::filesystem::path path_of(const std::string& name);
+std::string name_of(const std::filesystem::path& path);
+
+/// Whether a name is that of a document, and neither hidden nor in a hidden folder, nor leads out of the folder.
+bool is_document(const std::string& file);
+bool is_hidden(const std::string& file);
 /// "wing.history.json" of "wing.lissom".
 std::string history_name(const std::string& file);
 bool is_history(const std::string& file);

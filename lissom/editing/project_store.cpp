@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -10,11 +9,9 @@
 #include "lissom/core/nearest_name.h"
 #include "lissom/editing/listed_files.h"
 #include "lissom/editing/recent_files.h"
-#include "lissom/editing/side_file.h"
 #include "lissom/editing/templates.h"
 #include "lissom/editing/text_lines.h"
 #include "lissom/model/document.h"
-#include "lissom/session/document_file.h"
 
 namespace lissom {
 
@@ -24,24 +21,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kInside = "name a file of the folder that the studio was started in";
 
-fs::path path_of(const std::string& name) { return {std::u8string(name.begin(), name.end())}; }
-std::string name_of(const fs::path& path) {
-  const std::u8string text = path.generic_u8string();
-  return {text.begin(), text.end()};
-}
-
 /// Files and folders that are hidden are nobody's business here.
 Status check_visible(const std::string& file) {
-  for (const fs::path& step : path_of(file)) {
-    if (!name_of(step).starts_with('.')) continue;
-    return Error{ErrorCode::kFile, {}, fmt::format("\"{}\" is hidden, or leads out of the folder", file), kInside};
-  }
-  return {};
+  if (!is_hidden(file)) return {};
+  return Error{ErrorCode::kFile, {}, fmt::format("\"{}\" is hidden, or leads out of the folder", file), kInside};
 }
 
 Status check_document_name(const std::string& file) {
   if (Status s = check_visible(file); !s) return s;
-  if (path_of(file).extension() == kDocumentEnding && !is_history(file)) return {};
+  if (is_document(file)) return {};
   return Error{ErrorCode::kFile, {}, fmt::format("\"{}\" is no document", file), "documents end in .lissom"};
 }
 
@@ -191,109 +179,6 @@ Status ProjectStore::save(OpenProject& project, const std::string& file, Replace
   forget_autosave();
   remember_file(options_.state_folder, folder_, target, seconds_now());
   return {};
-}
-
-std::string ProjectStore::free_side_name(const std::string& name) const {
-  const std::string part = file_name_part(name);
-  std::error_code code;
-  for (int number = 1;; ++number) {
-    const std::string side = fmt::format(".{}{}{}", part, number > 1 ? fmt::format("-{}", number) : "", kSideEnding);
-    if (!fs::exists(fs::symlink_status(folder_ / path_of(side), code))) return side;
-  }
-}
-
-Status ProjectStore::write_side_file(const OpenProject& project, const std::string& state, const std::string& owner) {
-  if (aside_.empty()) aside_ = free_side_name(project.name);
-  const History& history = project.history;
-  SideFile side{project.name,
-                project.file,
-                seconds_now(),
-                std::abs(history.at() - std::max(history.saved_at(), 0)),
-                owner,
-                text_hash(history.text()),
-                project.disk_hash,
-                state,
-                history.write()};
-  Status status = write_file_below(folder_, aside_, lissom::write_side_file(side));
-  if (status) autosaved_at_ = side.when;
-  return status;
-}
-
-Status ProjectStore::autosave(const OpenProject& project, const std::string& state, When when) {
-  const bool untouched = project.file.empty() && project.history.size() == 0;
-  if (project.history.saved() || untouched) {
-    forget_autosave();
-    return {};
-  }
-  const bool due = autosaved_at_ < 0 || std::abs(seconds_now() - autosaved_at_) >= options_.autosave_every;
-  if (when == When::kDue && !due) return {};
-  return write_side_file(project, state, this_session());
-}
-
-Status ProjectStore::leave(const OpenProject& project, const std::string& state) {
-  const bool untouched = project.file.empty() && project.history.size() == 0;
-  if (project.history.saved() || untouched) {
-    forget_autosave();
-    return {};
-  }
-  Status status = write_side_file(project, state, {});
-  if (status) {
-    aside_.clear();
-    autosaved_at_ = -1;
-  }
-  return status;
-}
-
-std::optional<Recovery> ProjectStore::find_recovery() const {
-  std::optional<Recovery> newest;
-  std::error_code code;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, code)) {
-    const std::string aside = name_of(entry.path().filename());
-    if (!is_side_file(aside) || aside == aside_ || !entry.is_regular_file(code) || entry.is_symlink(code)) continue;
-    const Result<std::string> text = read_file(entry.path());
-    if (!text) continue;
-    Result<SideFile> side = read_side_file(text.value());
-    if (!side || session_lives(side.value().owner)) continue;
-    const SideFile& found = side.value();
-    const Result<std::string> saved = read_file_below(folder_, found.file, kLargestDocument);
-    if (saved && text_hash(saved.value()) == found.document) continue;  // saved before it could be removed
-    if (newest && (newest->when > found.when || (newest->when == found.when && newest->aside < aside))) continue;
-    newest = Recovery{found.name, found.file, found.when, found.steps, aside};
-  }
-  return newest;
-}
-
-Result<Recovered> ProjectStore::recover(const Recovery& found) {
-  if (!is_side_file(found.aside)) return Error{ErrorCode::kFile, {}, "this is no side file", kInside};
-  const Result<std::string> text = read_file_below(folder_, found.aside);
-  if (!text) return text.error();
-  Result<SideFile> side = read_side_file(text.value());
-  if (!side) return side.error();
-  const SideFile& from = side.value();
-  Result<History> history = History::read(from.history, (folder_ / path_of(from.file)).parent_path(), options_.history);
-  if (!history) return history.error();
-  Recovered recovered{{from.name, from.file, std::move(history).value()}, from.state};
-  if (!from.file.empty() && !check_document_name(from.file)) recovered.project.file.clear();
-  recovered.project.disk_hash = from.disk_hash;
-  aside_ = found.aside;
-  if (Status s = write_side_file(recovered.project, from.state, this_session()); !s) return s.error();
-  return recovered;
-}
-
-Status ProjectStore::dismiss(const Recovery& found) {
-  if (!is_side_file(found.aside)) return Error{ErrorCode::kFile, {}, "this is no side file", kInside};
-  std::error_code code;
-  fs::remove(folder_ / path_of(found.aside), code);
-  if (code) return Error{ErrorCode::kFile, found.aside, "cannot be removed: " + code.message(), {}};
-  return {};
-}
-
-void ProjectStore::forget_autosave() {
-  if (aside_.empty()) return;
-  std::error_code code;
-  fs::remove(folder_ / path_of(aside_), code);
-  aside_.clear();
-  autosaved_at_ = -1;
 }
 
 std::vector<ListedFile> ProjectStore::files() const { return listed_files(folder_); }
