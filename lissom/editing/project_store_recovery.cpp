@@ -32,7 +32,7 @@ std::string ProjectStore::free_side_name(const std::string& name) const {
   const std::string part = file_name_part(name);
   std::error_code code;
   for (int number = 1;; ++number) {
-    const std::string side = fmt::format(".{}{}{}", part, number > 1 ? fmt::format("-{}", number) : "", kSideEnding);
+    std::string side = fmt::format(".{}{}{}", part, number > 1 ? fmt::format("-{}", number) : "", kSideEnding);
     if (!fs::exists(fs::symlink_status(folder_ / path_of(side), code))) return side;
   }
 }
