@@ -83,7 +83,7 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
     row(own, "misses the pull by, linear", 1e3 * preview->answer.rms, "mm");
     row(own, "rods turn by", 57.29577951308232 * preview->turn, "deg");
     const double begin = now_ms();
-    const auto fit = std::move(ShapeFit::make(response, {}, handle.value().target(), fit_limits(), context)).value();
+    const auto fit = std::move(ShapeFit::make(response, {}, handle.value().target(), context)).value();
     const double before = fit->distance();
     int iterations = 0;
     const std::optional<DesignVerdict> verdict =

@@ -20,13 +20,6 @@ class PlanDesignSpace final : public DesignSpace {
   static Result<PlanDesignSpace> on_mesh(const Model& model, std::shared_ptr<const PlanMesh> mesh,
                                          const PlanSpaceOptions& options, const MeshLimits& limits = {});
 
-  /// The same space, which gives up its mesh sooner or later.
-  PlanDesignSpace with_limits(const MeshLimits& limits) const {
-    PlanDesignSpace other = *this;
-    other.limits_ = limits;
-    return other;
-  }
-
   std::span<const Parameter> parameters() const override { return space_->parameters(); }
   VecX start() const override { return space_->values(*base_->model.plan); }
   /// kConflict, with what became of which rod or triangle, where the mesh does not fit the plan.

@@ -22,7 +22,8 @@ struct PinnedNode {
 State pinned_down(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins);
 
 /// Takes the rigid motions out of responses (unknowns x m, global axes) at a state that `pinned_down` has returned: they
-/// become those of laid and pinned down shapes. `drawn`: how the nodes of the drawn shape move along, (3 per node x m).
+/// become those of laid and pinned down shapes. `drawn`: how the nodes of the drawn shape move along,
+/// (3 per node x m). What nodes count when a shape is laid down is taken as fixed.
 void pin_down_response(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins,
                        const MatX& drawn, MatX& response);
 

@@ -16,11 +16,10 @@ constexpr double kTiedScale = 0.01;  // what a parameter that leaves its tie by 
 
 Result<std::unique_ptr<ShapeFit>> ShapeFit::make(std::shared_ptr<const ShapeResponse> response,
                                                  HardConstraints constraints, ShapeTarget target,
-                                                 const MeshLimits& limits, const Context& context) {
+                                                 const Context& context) {
   LISSOM_ASSERT(target.nodes.size() == target.weights.size() && !target.nodes.empty());
   std::unique_ptr<ShapeFit> fit(new ShapeFit(std::move(response), std::move(constraints), std::move(target)));
   const ShapeResponse& s = *fit->response_;
-  fit->space_ = std::make_shared<const PlanDesignSpace>(s.space().with_limits(limits));
   fit->design_ = *s.space().base();
   SolveOptions solve;
   solve.modes = 0;
@@ -98,7 +97,8 @@ double ShapeFit::violation() const {
 const MatX& ShapeFit::jacobian() {
   if (!jacobian_) {
     follower_->stand_at_point(design_);
-    const Result<MatX> response = response_matrix(design_, *space_, p(), *follower_, state_, response_->pins());
+    const Result<MatX> response =
+        response_matrix(design_, response_->space(), p(), *follower_, state_, response_->pins());
     LISSOM_ASSERT(response);  // it could be made at the start, and poses have not changed
     jacobian_ = rows_of(response.value(), state_);
     effort_.back_solves += size();
@@ -127,7 +127,7 @@ VecX ShapeFit::hessian_times(const VecX& v) { return jacobian().transpose() * (j
 Attempt ShapeFit::attempt(const VecX& x) {
   ++effort_.attempts;
   attempted_x_ = x;
-  Result<Design> design = space_->applied(*response_->space().base(), x.cwiseProduct(response_->scale()));
+  Result<Design> design = response_->space().applied(*response_->space().base(), x.cwiseProduct(response_->scale()));
   if (!design) return {Outcome::kNoDesign, 0, design.error().text()};
   attempted_design_ = std::move(design).value();
   follower_->stand_at_point(design_);

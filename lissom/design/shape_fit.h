@@ -29,7 +29,7 @@ class ShapeFit final : public ReducedProblem {
   /// Begins at the start of `response`. `context` has to outlive the fit.
   static Result<std::unique_ptr<ShapeFit>> make(std::shared_ptr<const ShapeResponse> response,
                                                 HardConstraints constraints, ShapeTarget target,
-                                                const MeshLimits& limits, const Context& context);
+                                                const Context& context);
 
   /// m, weighted root mean square over the nodes that count, at the point.
   double distance() const;
@@ -67,7 +67,6 @@ class ShapeFit final : public ReducedProblem {
   const MatX& jacobian();
 
   std::shared_ptr<const ShapeResponse> response_;
-  std::shared_ptr<const PlanDesignSpace> space_;  ///< of the response, with the limits of the fit
   HardConstraints constraints_;
   ShapeTarget target_;
   std::unique_ptr<PoseFollower> follower_;

@@ -16,6 +16,8 @@ VecX scales_of(std::span<const Parameter> parameters) {
 
 }  // namespace
 
+MeshLimits tool_limits() { return {.angle_ratio = 0.1, .length_ratio = 2.5, .turn_ratio = 4}; }
+
 Result<MatX> response_matrix(const Design& design, const PlanDesignSpace& space, const VecX& p, PoseFollower& follower,
                              const State& state, const std::vector<PinnedNode>& pins) {
   const DesignJacobian jacobian = space.jacobian(design, p);
@@ -32,7 +34,7 @@ Result<MatX> response_matrix(const Design& design, const PlanDesignSpace& space,
 
 Result<std::shared_ptr<const ShapeResponse>> ShapeResponse::make(ShapeStart start, const PlanSpaceOptions& options,
                                                                  std::vector<PinnedNode> pins, const Context& context) {
-  Result<PlanDesignSpace> space = PlanDesignSpace::on_mesh(start.model, start.mesh, options);
+  Result<PlanDesignSpace> space = PlanDesignSpace::on_mesh(start.model, start.mesh, options, tool_limits());
   if (!space) return space.error();
   const std::shared_ptr<ShapeResponse> made(new ShapeResponse);
   made->space_ = std::make_shared<const PlanDesignSpace>(std::move(space).value());

@@ -13,6 +13,9 @@
 
 namespace lissom {
 
+/// From when on the mesh of the start no longer serves tools: later than while dragging, for they cannot make a new one.
+MeshLimits tool_limits();
+
 /// A shape that tools begin at.
 struct ShapeStart {
   std::shared_ptr<const PlanMesh> mesh;

@@ -21,7 +21,7 @@ class TargetEdit {
  public:
   /// Of the least changes of the mapped parameters that do it about equally well the smallest is taken: their square counts
   /// `kLeastChange` times the largest eigenvalue of the normal matrix.
-  static constexpr double kLeastChange = 1e-6;
+  static constexpr double kLeastChange = 1e-4;
 
   /// `stay`: how much all that is not pulled wants to stay where it is, against the pull: 0 as in (6.5), where a soft mode of
   /// the whole may answer to the pull at a single node.

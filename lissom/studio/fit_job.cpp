@@ -45,8 +45,6 @@ Json result_of(const ShapeFit& fit, double before) {
 
 }  // namespace
 
-MeshLimits fit_limits() { return {.angle_ratio = 0.3, .length_ratio = 1.7, .turn_ratio = 2.5}; }
-
 std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
                                      const std::function<void(const FitRecord&)>& tell) {
   OptimizeOptions options;
@@ -71,8 +69,7 @@ std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
 
 void start_fit(Desk& desk, FitTask task) {
   desk.jobs().start("fit", "mm", [&desk, task = std::move(task)](const Context& context) {
-    Result<std::unique_ptr<ShapeFit>> made =
-        ShapeFit::make(task.response, task.constraints, task.target, fit_limits(), context);
+    Result<std::unique_ptr<ShapeFit>> made = ShapeFit::make(task.response, task.constraints, task.target, context);
     if (!made) return Jobs::End{Jobs::End::State::kFailed, made.error().text(), {}};
     ShapeFit& fit = *made.value();
     const double before = fit.distance();

@@ -30,9 +30,6 @@ struct FitRecord {
   double distance = 0;  ///< m
   double value = 0;
 };
-/// From when on the mesh of the start no longer serves: later than while dragging, for a fit cannot make a new one.
-MeshLimits fit_limits();
-
 /// Until it is near enough, or no longer gets nearer. `tell`: after each iteration. Nothing: ended by the context.
 std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
                                      const std::function<void(const FitRecord&)>& tell);

@@ -160,7 +160,8 @@ void LiveShape::announce(const LiveDesign& design) {
 }
 
 void LiveShape::show_flat(const LiveDesign& design) {
-  flat_pack_ = places_pack({{"pack", "flat"}, {"topology", topology_}}, design.system(), drawn_state(design.system()), {});
+  flat_pack_ =
+      places_pack({{"pack", "flat"}, {"topology", topology_}}, design.system(), drawn_state(design.system()), {});
   pages_.show_all(flat_pack_, StudioMessage::Lane::kOrdered);
 }
 

@@ -47,6 +47,7 @@ PlanSpaceOptions tool_space() {
   PlanSpaceOptions options;
   options.radius_range = {0.25e-3, 4e-3};  // printers make 0.5 mm and more
   options.pre_stretch_range = {1.05, 1.8};
+  options.reach = 0.05;  // of points, in one pull
   return options;
 }
 

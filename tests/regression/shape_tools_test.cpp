@@ -4,12 +4,11 @@
 #include <random>
 
 #include "lissom/design/constrained_step.h"
-#include "lissom/design/optimizer.h"
 #include "lissom/design/shape_fit.h"
 #include "lissom/design/shape_modes.h"
 #include "lissom/design/shape_response.h"
-#include "lissom/design/target_edit.h"
-#include "lissom/equilibrium/rigid_drift.h"
+#include "lissom/studio/fit_job.h"
+#include "lissom/studio/handle.h"
 #include "tests/regression/plan_samples.h"
 
 namespace lissom {
@@ -74,27 +73,51 @@ VecX random_change(int size, unsigned seed) {
   return VecX::NullaryExpr(size, [&] { return number(random); });
 }
 
-void expect_response_is_the_change(const Released& r) {
+/// What is left of displacements (3 per node) at a state when the rigid motion nearest to them is taken out.
+VecX without_rigid_motion(const State& state, const VecX& displacements) {
+  MatX motions = MatX::Zero(displacements.size(), 6);
+  for (Eigen::Index i = 0; i < displacements.size() / 3; ++i) {
+    motions.block<3, 3>(3 * i, 0).setIdentity();
+    motions.block<3, 3>(3 * i, 3) = -skew(state.position(static_cast<int>(i)));
+  }
+  return displacements - motions * motions.colPivHouseholderQr().solve(displacements);
+}
+
+/// How far the response is from differences, extrapolated to fourth order, of equilibria that were solved again: in all, and
+/// in shape alone. Relative.
+struct Mismatch {
+  double all = 0, shape = 0;
+};
+Mismatch mismatch(const Released& r) {
   const VecX direction = random_change(r.response->size(), 5);
-  constexpr double kStep = 2e-4;
-  const State plus = solved_again(r, kStep * direction), minus = solved_again(r, -kStep * direction);
   const int places = 3 * r.nodes();
-  const VecX measured = (plus.q - minus.q).head(places) / (2 * kStep);
+  const auto difference = [&](double step) -> VecX {
+    return (solved_again(r, step * direction).q - solved_again(r, -step * direction).q).head(places) / (2 * step);
+  };
+  constexpr double kStep = 4e-3;
+  const VecX measured = (4 * difference(kStep) - difference(2 * kStep)) / 3;
   const VecX expected = (r.response->matrix() * direction).head(places);
-  EXPECT_GT(expected.norm(), 0);
-  EXPECT_LT((measured - expected).norm() / expected.norm(), 2e-5);
+  const State& state = r.response->start().state;
+  return {(measured - expected).norm() / expected.norm(),
+          without_rigid_motion(state, measured - expected).norm() / expected.norm()};
 }
 
 TEST(ShapeResponse, IsTheChangeOfLaidDownShapes) {
-  expect_response_is_the_change(Released(samples::ring_with_rods(), {}));
+  const Mismatch off = mismatch(Released(samples::ring_with_rods(), {}));
+  EXPECT_LT(off.shape, 2e-5);
+  // How much nodes count when a shape is laid down changes with the mesh a little, which the response leaves out: it turns the
+  // whole by less than can be seen.
+  EXPECT_LT(off.all, 2e-3);
 }
 
 TEST(ShapeResponse, IsTheChangeOfPinnedShapes) {
   Released probe(samples::ring_with_rods(), {});
   const int e = node_of_point(*probe.design, "e"), n = node_of_point(*probe.design, "n");
   const int free = node_of_point(*probe.design, "free");
-  expect_response_is_the_change(Released(samples::ring_with_rods(), {e}));
-  expect_response_is_the_change(Released(samples::ring_with_rods(), {e, n, free}));
+  const Mismatch one = mismatch(Released(samples::ring_with_rods(), {e}));
+  EXPECT_LT(one.shape, 2e-5);
+  EXPECT_LT(one.all, 2e-3);
+  EXPECT_LT(mismatch(Released(samples::ring_with_rods(), {e, n, free})).all, 2e-5);
 }
 
 TEST(PinnedDown, BringsPinsBackByARigidMotion) {
@@ -150,8 +173,8 @@ TEST(ShapeModes, KeepTheirPinsWhenAdopted) {
   std::vector<int> pinned;
   for (const char* name : {"b1-l", "b4-r", "f3-l", "f3-r"}) pinned.push_back(node_of_point(*probe.design, name));
   const Released r(samples::fabric_scene("butterfly"), pinned);
-  const std::vector<ShapeMode> modes = shape_modes(*r.response, r.constraints, 4);
-  ASSERT_EQ(modes.size(), 4u);
+  const std::vector<ShapeMode> modes = shape_modes(*r.response, r.constraints, 3);
+  ASSERT_EQ(modes.size(), 3u);
   EXPECT_EQ(modes[0].strength, 1);
   const double amplitude = 0.05 * r.design->system().structure.size;
   double before = 1;
@@ -173,43 +196,31 @@ TEST(ShapeModes, KeepTheirPinsWhenAdopted) {
       EXPECT_LE(step.value().p[static_cast<Eigen::Index>(i)], parameter.upper * (1 + 1e-12));
     }
   }
-  EXPECT_GE(adopted, 3);
+  EXPECT_GE(adopted, 2);
 }
 
-/// Pulls at a point and checks the linear answer, then fits.
+/// Pulls at a point, looks at the linear answer, and fits.
 void pull(const std::string& scene, const char* point, const Vec3& move, double radius) {
   SCOPED_TRACE(scene);
   const Released r(samples::fabric_scene(scene), {});
-  const State& start = r.response->start().state;
-  const int grip = node_of_point(*r.design, point);
-  std::vector<PulledNode> pulled;
-  for (int i = 0; i < r.nodes(); ++i) {
-    const double share = (start.position(i) - start.position(grip)).norm() / radius;
-    if (share < 0.99) pulled.push_back({i, (1 - share * share) * (1 - share * share)});
-  }
-  const TargetEdit edit(r.response, {}, pulled, 0.3);
-  VecX wanted(3 * static_cast<Eigen::Index>(pulled.size()));
-  for (std::size_t i = 0; i < pulled.size(); ++i) wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = move;
-  const TargetEdit::Answer answer = edit.answer(wanted);
-  EXPECT_LT(answer.rms, 0.7 * move.norm());
-  State preview;
-  ASSERT_TRUE(r.response->moved(answer.dq, preview));
-  ShapeTarget target;
-  target.places = preview.q.head(3 * r.nodes());
-  target.nodes = spread_nodes(r.response->system(), 700);
-  target.weights.assign(target.nodes.size(), 1);
-  Context context;
-  const auto fit = std::move(ShapeFit::make(r.response, {}, target,
-                                            {.angle_ratio = 0.3, .length_ratio = 1.7, .turn_ratio = 2.5}, context))
-                       .value();
+  const Context context;
+  HandleGrip grip;
+  grip.nodes = {node_of_point(*r.design, point)};
+  grip.radius = radius;
+  Result<Handle> handle = Handle::make(r.response, {}, grip, context);
+  ASSERT_TRUE(handle.ok());
+  const Result<Handle::Preview> preview = handle.value().move({.move = move});
+  ASSERT_TRUE(preview.ok());
+  EXPECT_LT(preview.value().answer.rms, 0.5 * move.norm());
+  EXPECT_GT(preview.value().residual, 0);
+  const auto fit = std::move(ShapeFit::make(r.response, {}, handle.value().target(), context)).value();
   const double before = fit->distance();
-  OptimizeOptions options;
-  options.max_iterations = 15;
-  options.value_tolerance = 0.0004 * fit->value();
-  options.first_cap = 20;
-  Optimizer optimizer(*fit, options);
-  optimizer.run(context);
+  run_fit(*fit, context, [](const FitRecord&) {});
   EXPECT_LT(fit->distance(), 0.2 * before) << before << " m";
+  for (Eigen::Index i = 0; i < fit->x().size(); ++i) {
+    EXPECT_GE(fit->x()[i], fit->lower()[i]);
+    EXPECT_LE(fit->x()[i], fit->upper()[i]);
+  }
 }
 
 TEST(ShapeFit, ArrivesWhereTheLinearAnswerPoints) {
@@ -225,7 +236,7 @@ TEST(ShapeFit, GradientIsTheChangeOfTheValue) {
   target.weights.assign(target.nodes.size(), 1);
   for (const int node : target.nodes) target.places.segment<3>(3 * node) += Vec3(1e-3, -2e-3, 1e-3) * std::sin(node);
   Context context;
-  const auto fit = std::move(ShapeFit::make(r.response, r.constraints, target, {}, context)).value();
+  const auto fit = std::move(ShapeFit::make(r.response, r.constraints, target, context)).value();
   const VecX direction = random_change(fit->size(), 3), x = fit->x();
   const double slope = fit->gradient().dot(direction);
   constexpr double kStep = 1e-4;

@@ -138,7 +138,9 @@ class ModelBits {
     add_all(x.method, x.control, x.iterations, x.gradient_tolerance, x.decrease_tolerance, x.constraint_tolerance,
             x.solve_tolerance);
   }
-  void add(const Brief& x) { add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.wishes.clearance, x.settings); }
+  void add(const Brief& x) {
+    add_all(x.parameters, x.goals, x.wishes.closeness, x.wishes.smoothness, x.wishes.clearance, x.settings);
+  }
   void add(const ForceLengthBrief& x) { add_all(x.pose, x.file, x.from, x.to, x.axis, x.prescribed, x.sigma); }
   void add(const ShapesBrief& x) { add_all(x.pose, x.file, x.sigma); }
   void add(const MeasurementBrief& x) {
