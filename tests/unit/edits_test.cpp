@@ -17,8 +17,8 @@ namespace {
 
 using edit_samples::done;
 using edit_samples::Json;
-using edit_samples::Names;
 using edit_samples::model;
+using edit_samples::Names;
 using edit_samples::names;
 using edit_samples::point;
 using edit_samples::refused;
