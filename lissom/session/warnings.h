@@ -25,13 +25,13 @@ struct WarningLimits {
 inline constexpr std::string_view kEstimatedRemedy = "; for about the same shape ";
 
 struct Warning {
-  std::string what;    ///< "slack fabric", "compressed rod", "turning angle", "thin rod",
-                       ///< "inverted tetrahedra"
-  std::string where;   ///< rod or membrane by name, with the place in mm where it helps
-  double value = 0;    ///< SI, of what is named
-  std::string unit;    ///< of the value; "1" for strains and stretches
-  std::string remedy;  ///< a sentence
-  int node = -1;       ///< of the structure, where it is worst
+  std::string what;        ///< "slack fabric", "compressed rod", "turning angle", "thin rod",
+                           ///< "inverted tetrahedra"
+  std::string where;       ///< rod or membrane by name, with the place in mm where it helps
+  double value = 0;        ///< SI, of what is named
+  std::string unit;        ///< of the value; "1" for strains and stretches
+  std::string remedy;      ///< a sentence
+  int node = -1;           ///< of the structure, where it is worst
   std::string ghost = {};  ///< the rod that the remedy would make a ghost; empty: it would not
 };
 
