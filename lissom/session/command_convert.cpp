@@ -56,8 +56,8 @@ Result<Document> import_plan(const std::filesystem::path& path, const DrawingOpt
 Status convert_command(const Drawable& drawable, const ConvertCommand& command) {
   const Result<Drawing> drawing = draw(drawable, Shape::kDeformed);
   if (!drawing) return drawing.error();
-  const ShapeToWrite shape{drawable.document.model, drawable.document.name, drawing.value(), command.file.string(),
-                           command.field,           command.obj};
+  const ShapeToWrite shape{drawable.document.model, drawable.document.name, drawing.value(),
+                           command.file.string(),   command.field,          command.obj};
   const Result<std::string> bytes = shape_file(command.file.extension().string(), shape);
   if (!bytes) return bytes.error();
   Output output(command.file.parent_path());

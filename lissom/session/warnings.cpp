@@ -130,13 +130,8 @@ void warn_of_compression(const Shape& shape, std::vector<Warning>& list) {
     if (worst < 0) continue;
     const Vec3 at = (shape.state.position(s.edges[worst].node0) + shape.state.position(s.edges[worst].node1)) / 2;
     const int ghost = boundary_rod_next_to(shape, r, at, boundary);
-    Warning warning{"compressed rod",
-                    fmt::format("{}, {}", shape.rod_name(r), place_text(at)),
-                    most,
-                    "1",
-                    {},
-                    s.edges[worst].node0,
-                    ghost >= 0 ? s.rods[ghost].name : std::string()};
+    Warning warning{"compressed rod",     fmt::format("{}, {}", shape.rod_name(r), place_text(at)), most, "1", {},
+                    s.edges[worst].node0, ghost >= 0 ? s.rods[ghost].name : std::string()};
     const std::string amount = fmt::format("it is shortened by {:.2g} %", 100 * most);
     warning.remedy = ghost == r ? amount + "; make it a ghost, so that the edge of the fabric is free there"
                      : ghost >= 0
