@@ -105,9 +105,9 @@ std::vector<std::string> Ask::texts(const char* key) {
 Json Ask::value(const char* key) const { return has(key) ? body_[key] : Json(); }
 
 const Json& Ask::object(const char* key) {
-  static const Json kNothing = Json::object();
+  static const Json nothing = Json::object();
   const Json* found = find(key, &Json::is_object, "an object");
-  return found != nullptr ? *found : kNothing;
+  return found != nullptr ? *found : nothing;
 }
 
 }  // namespace lissom

@@ -200,12 +200,12 @@ void Desk::commit(std::string title, const std::string& edit, Model model, const
   add_step(std::move(title), edit, std::move(model));
 }
 
-Result<Json> Desk::drag(int number, const Json& edit) {
+Result<Json> Desk::drag(int page, int number, const Json& edit) {
   const std::shared_ptr<const Model> from = project_->history.model();
   Result<EditOutcome> outcome = apply_edit(*from, edit);
   if (!outcome) return outcome.error();
   interrupt();
-  if (!drag_ || drag_->number != number) drag_ = Drag{number, {}, {}, nullptr, false};
+  if (!drag_ || drag_->page != page || drag_->number != number) drag_ = Drag{page, number, {}, {}, nullptr, false};
   const auto model = std::make_shared<const Model>(std::move(outcome.value().model));
   if (const Status s = show(model, number); !s) return s.error();
   drag_->edit = edit;
@@ -231,6 +231,10 @@ void Desk::cancel_drag() {
   drag_.reset();
   if (!moved) return;
   if (const Status s = show(project_->history.model(), 0, kept_shape()); !s) fail(s.error());
+}
+
+void Desk::page_gone(int page) {
+  if (drag_ && drag_->page == page) cancel_drag();
 }
 
 Result<Json> Desk::go_to(int step) {

@@ -47,9 +47,11 @@ class Desk {
   /// A step whose model, and maybe shape, is known already.
   void commit(std::string title, const std::string& edit, Model model, const ShapeSnapshot* shape = nullptr);
 
-  Result<nlohmann::json> drag(int number, const nlohmann::json& edit);
+  Result<nlohmann::json> drag(int page, int number, const nlohmann::json& edit);
   Result<nlohmann::json> end_drag(int number, const nlohmann::json& edit);
   void cancel_drag();
+  /// A page has gone: what it was dragging is let go.
+  void page_gone(int page);
 
   Result<nlohmann::json> go_to(int step);
 
@@ -78,7 +80,7 @@ class Desk {
     ShapeSnapshot shape;
   };
   struct Drag {
-    int number = 0;
+    int page = 0, number = 0;
     nlohmann::json edit;  ///< the last one
     std::string title;
     std::shared_ptr<const Model> model;  ///< after it

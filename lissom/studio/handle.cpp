@@ -134,11 +134,15 @@ bool Handle::follow(Preview& preview) const {
   preview.turn = largest_turn(s.system(), s.start().state, preview.answer.dq);
   preview.stale = preview.turn > kStale;
   Result<Design> design = s.space().at(preview.answer.p);
-  const bool renewed = design && renew_numbers(design.value().model, design.value().model.poses[pose], "/poses",
-                                               std::move(design.value().system), probe_->system, *probe_->problem);
+  Status renewed = design ? Status() : Status(design.error());
+  if (renewed) {
+    renewed = renew_numbers(design.value().model, design.value().model.poses[pose], "/poses",
+                            std::move(design.value().system), probe_->system, *probe_->problem);
+  }
   if (!renewed) {
-    // The design cannot be built on this mesh: what is shown is the straight line.
+    // What is shown is the straight line.
     preview.stale = true;
+    preview.refused = renewed.error().message;
     return s.moved(preview.answer.dq, preview.state);
   }
   // A straight line stretches rods that turn; along this path they keep their strains, and bend as they are asked to.

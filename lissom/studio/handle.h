@@ -45,6 +45,7 @@ class Handle {
     double residual = 0;  ///< N, of the forces that are left there
     double turn = 0;      ///< rad, largest of a rod edge
     bool stale = false;   ///< it goes further than a linear answer is good for
+    std::string refused;  ///< why the design of the answer cannot be built; then there is no residual. Empty: it can
   };
   Result<Preview> move(const HandleMove& move);
   /// Of the last move; null before.

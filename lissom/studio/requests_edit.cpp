@@ -17,11 +17,10 @@ Answer answer_edit(Desk& desk, int page, Ask& ask) {
 }
 
 Answer answer_drag(Desk& desk, int page, Ask& ask) {
-  (void)page;
   const int number = ask.integer("drag", 1);
   const Json& edit = ask.object("edit");
   if (!ask.status()) return ask.status().error();
-  return desk.drag(number, edit);
+  return desk.drag(page, number, edit);
 }
 
 Answer answer_drag_end(Desk& desk, int page, Ask& ask) {

@@ -37,6 +37,18 @@ std::pair<const char*, std::string> group_of(const ShapeMode& mode) {
   return {group, most > 0.9 ? std::string("Only ") + what : fmt::format("Mostly {} ({:.0f} %)", what, 100 * most)};
 }
 
+std::string handle_sentence(const Handle::Preview& preview) {
+  if (!preview.refused.empty()) {
+    return fmt::format("Pulled too far to be built as it is: {}. Pull less, or accept it and see how near it comes",
+                       preview.refused);
+  }
+  if (preview.stale) {
+    return fmt::format("Pulled far: rods turn by {:.0f} degrees, more than a preview is good for. Accept it and go on",
+                       preview.turn * 180 / std::numbers::pi);
+  }
+  return fmt::format("Misses where it is pulled to by {:.2f} mm", kMillimetres * preview.answer.rms);
+}
+
 double milliseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -197,12 +209,7 @@ Json ShapeTools::handle_event() const {
   event["radius_mm"] = kMillimetres * handle_->grip().radius;
   if (const Handle::Preview* last = handle_->last(); last != nullptr) {
     event["stale"] = last->stale;
-    event["sentence"] = last->stale
-                            ? fmt::format(
-                                  "Pulled far: rods turn by {:.0f} degrees, more than a preview is good for. "
-                                  "Accept it and go on from there",
-                                  last->turn * 180 / std::numbers::pi)
-                            : fmt::format("Misses where it is pulled to by {:.2f} mm", kMillimetres * last->answer.rms);
+    event["sentence"] = handle_sentence(*last);
   }
   return event;
 }
@@ -239,7 +246,7 @@ Result<Json> ShapeTools::move_handle(const HandleMove& move) {
   Json header = {{"pack", "preview"},
                  {"topology", desk_.shape().topology()},
                  {"drag", 0},
-                 {"residual_n", answer.residual},
+                 {"residual_n", answer.refused.empty() ? Json(answer.residual) : Json(nullptr)},
                  {"stale", answer.stale},
                  {"milliseconds", milliseconds_since(begin)},
                  {"changes", std::move(changes)},

@@ -89,7 +89,10 @@ Studio::~Studio() {
 
 int Studio::connect(Send send) { return parts_->pages.connect(std::move(send)); }
 
-void Studio::disconnect(int page) { parts_->pages.disconnect(page); }
+void Studio::disconnect(int page) {
+  parts_->pages.disconnect(page);
+  parts_->inbox.hand_over([desk = &parts_->desk, page] { desk->page_gone(page); });
+}
 
 void Studio::receive(int page, std::string text) {
   Result<Json> body = read_json(text);

@@ -1,6 +1,6 @@
 // The studio behind its door: documents, edits, drags, history, files, and requests that make no sense.
 
-#include <fstream>
+#include <cmath>
 
 #include "lissom/core/file_io.h"
 #include "scenes/design_texts.h"
@@ -79,6 +79,25 @@ TEST(Studio, ADragIsOneStepAndOnlyItsNewestMoveCounts) {
   page.good({{"do", "drag_cancel"}, {"drag", 8}});
   EXPECT_EQ(page.event("history")["at"], 1);
   EXPECT_NEAR(page.event("plan")["points"][4]["at_mm"][0].get<double>(), 8, 1e-9);
+}
+
+TEST(Studio, ADragWhosePageGoesIsLetGo) {
+  const StudioFolder folder("gone");
+  const auto studio = studio_in(folder, "disc-crossed");
+  StudioPage stays(*studio);
+  stays.good({{"do", "hello"}, {"protocol", 1}});
+  stays.pack("shape", settled);
+  const auto middle = [](double x) {
+    return [x](const Json& plan) { return std::abs(plan["points"][4]["at_mm"][0].get<double>() - x) < 1e-9; };
+  };
+  {
+    StudioPage goes(*studio);
+    goes.good({{"do", "drag"}, {"drag", 1}, {"edit", move("centre", 6, 0)}});
+    stays.event("plan", middle(6));
+    stays.forget();
+  }
+  stays.event("plan", middle(0));
+  EXPECT_EQ(stays.good({{"do", "undo"}})["at"], 0);
 }
 
 TEST(Studio, UndoBringsBackPlanAndShape) {

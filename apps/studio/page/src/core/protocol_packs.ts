@@ -59,7 +59,7 @@ export interface PreviewPack {
   sequence: number;
   topology: number;
   drag: number;
-  residual_n: number;
+  residual_n: number | null;
   stale: boolean;
   milliseconds: number;
   changes: { parameter: string; unit: string; from: number; to: number; at_bound: boolean }[];

@@ -54,7 +54,7 @@ export function HandleSection() {
           <Facts
             of={[
               ['Distance left to the target', `${short(answer.rms_mm)} mm`],
-              ['Force left by the linear answer', `${short(answer.residual_n, 2)} N`],
+              ['Force left by the linear answer', answer.residual_n === null ? 'cannot be built' : `${short(answer.residual_n, 2)} N`],
             ]}
           />
           <Changes of={answer.changes} />
