@@ -153,6 +153,7 @@ Status Desk::show(std::shared_ptr<const Model> model, int drag, const ShapeSnaps
   model_ = before;
   ++revision_;
   tell_plan();
+  shape_.stand_still(revision_);
   return status;
 }
 

@@ -245,6 +245,13 @@ void LiveShape::judge(const LiveDesign& design, std::string note, bool new_mesh)
   pages_.tell_all(warnings_event_);
 }
 
+void LiveShape::stand_still(int revision) {
+  if (!design_ || !shape_pack_) return;
+  occasion_ = {0, revision};
+  show_settled();
+  pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
+}
+
 void LiveShape::show_fields(const ShownFields& fields) {
   fields_ = fields;
   if (!shape_pack_) return;

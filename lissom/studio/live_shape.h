@@ -44,6 +44,8 @@ class LiveShape {
   /// Shows a structure that is not edited: as it is drawn, or in an equilibrium of a pose.
   void look_at(const Model& model, System system);
   void look_at(const Model& model, System system, const Equilibrium& equilibrium, int pose);
+  /// The plan has another number, and is what it was.
+  void stand_still(int revision);
   /// There is nothing to show.
   void forget();
 
