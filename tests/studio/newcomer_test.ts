@@ -14,7 +14,7 @@ beforeAll(async () => {
 afterAll(() => studio.end());
 
 const counts = (of: Page = page) => of.evaluate(() => window.lissomTest.counts());
-const verdict = () => page.evaluate(() => window.lissomTest.verdict());
+const verdict = () => page.evaluate(() => window.lissomTest.verdict() as { name: string } | null);
 const pointNames = async () =>
   (await page.evaluate(() => (window.lissomTest.plan() as { points: { name: string }[] }).points)).map((point) => point.name);
 
