@@ -3,6 +3,7 @@
 
 import { spawn, type ChildProcess } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { delimiter, join, resolve } from 'node:path';
 import { chromium, type Browser, type BrowserContext, type Page } from 'playwright-core';
@@ -31,6 +32,19 @@ function browserPath(): string {
   return found;
 }
 
+/** One that nobody listens at, below those that the system gives to clients: it has to be had again after a kill. */
+async function freePort(): Promise<number> {
+  for (;;) {
+    const port = 20000 + Math.floor(Math.random() * 12000);
+    const free = await new Promise<boolean>((done) => {
+      const probe = createServer();
+      probe.once('error', () => done(false));
+      probe.listen(port, '127.0.0.1', () => probe.close(() => done(true)));
+    });
+    if (free) return port;
+  }
+}
+
 export class Studio {
   /** What the page has said that it should not have: messages of the console at level error, exceptions. */
   readonly complaints: string[] = [];
@@ -48,7 +62,7 @@ export class Studio {
 
   static async start(design: string): Promise<Studio> {
     const studio = new Studio(design);
-    const address = await studio.serve(20000 + Math.floor(Math.random() * 20000));
+    const address = await studio.serve(await freePort());
     studio.browser = await chromium.launch({ executablePath: browserPath(), args: flags });
     studio.context = await studio.browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' });
     if (otherPage !== '') await studio.replacePage(address);
