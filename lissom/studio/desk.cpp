@@ -131,7 +131,7 @@ void Desk::interrupt() {
 }
 
 Status Desk::show(std::shared_ptr<const Model> model, int drag, const ShapeSnapshot* kept) {
-  const std::shared_ptr<const Model> before = std::exchange(model_, model);
+  const std::shared_ptr<const Model> before = std::exchange(model_, std::move(model));
   ++revision_;
   const LiveShape::Occasion occasion{drag, revision_};
   Status status;
@@ -142,12 +142,12 @@ Status Desk::show(std::shared_ptr<const Model> model, int drag, const ShapeSnaps
   // The plan goes first, so that pages know what the shape is of; one that is refused is taken back.
   if (kept != nullptr && kept->state) {
     tell_plan();
-    status = shape_.stand(*model, *kept, occasion);
+    status = shape_.stand(*model_, *kept, occasion);
     if (status) return status;
-    status = shape_.follow(*model, occasion);
+    status = shape_.follow(*model_, occasion);
   } else {
     tell_plan();
-    status = shape_.follow(*model, occasion);
+    status = shape_.follow(*model_, occasion);
   }
   if (status) return status;
   model_ = before;
