@@ -82,7 +82,7 @@ State pinned_down(const StaticProblem& problem, const State& state, const std::v
 }
 
 void pin_down_response(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins,
-                       const MatX& drawn, MatX& response) {
+                       const SparseMatrix& drawn, MatX& response) {
   if (!can_be_laid_down(problem)) return;
   const System& system = *problem.system;
   const int nodes = system.layout.nodes();
@@ -106,14 +106,18 @@ void pin_down_response(const StaticProblem& problem, const State& state, const s
   }
   const Mat3 along = nearest_rotation(covariance);
   const Mat3 symmetric = covariance * along.transpose();
-  MatX rhs = MatX::Zero(6, response.cols());
+  // What moving nodes, and moving drawn nodes, ask of the shift and the turn: (6 x 3 per node).
+  MatX by_node(6, 3 * nodes), by_drawn(6, 3 * nodes);
   for (int i = 0; i < nodes; ++i) {
     const double w = weight[static_cast<std::size_t>(i)];
     const Vec3 arm = along * (system.structure.nodes[static_cast<std::size_t>(i)] - drawn_centre);
-    const MatX follows = along * drawn.middleRows<3>(3 * i);
-    rhs.topRows<3>() += w / total * (follows - response.middleRows<3>(3 * i));
-    rhs.bottomRows<3>() -= w * (skew(arm) * response.middleRows<3>(3 * i) - skew(state.position(i) - centre) * follows);
+    by_node.block<3, 3>(0, 3 * i) = -w / total * Mat3::Identity();
+    by_node.block<3, 3>(3, 3 * i) = -w * skew(arm);
+    by_drawn.block<3, 3>(0, 3 * i) = w / total * along;
+    by_drawn.block<3, 3>(3, 3 * i) = w * skew(state.position(i) - centre) * along;
   }
+  MatX rhs = by_node * response.topRows(3 * nodes);
+  rhs += by_drawn * drawn;
   const Mat3 inertia = symmetric.trace() * Mat3::Identity() - symmetric;
   MatX motions = rhs;
   motions.bottomRows<3>() = inertia.ldlt().solve(rhs.bottomRows<3>());

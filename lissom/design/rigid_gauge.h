@@ -25,6 +25,6 @@ State pinned_down(const StaticProblem& problem, const State& state, const std::v
 /// become those of laid and pinned down shapes. `drawn`: how the nodes of the drawn shape move along,
 /// (3 per node x m). What nodes count when a shape is laid down is taken as fixed.
 void pin_down_response(const StaticProblem& problem, const State& state, const std::vector<PinnedNode>& pins,
-                       const MatX& drawn, MatX& response);
+                       const SparseMatrix& drawn, MatX& response);
 
 }  // namespace lissom

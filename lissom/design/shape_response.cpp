@@ -27,7 +27,7 @@ Result<MatX> response_matrix(const Design& design, const PlanDesignSpace& space,
   MatX matrix = sensitivity.value().dense();
   const VecX scales = scales_of(space.parameters());
   matrix.array().rowwise() *= scales.transpose().array();
-  const MatX drawn = jacobian.inputs.topRows(3 * follower.system().layout.nodes()) * scales.asDiagonal();
+  const SparseMatrix drawn = jacobian.inputs.topRows(3 * follower.system().layout.nodes()) * scales.asDiagonal();
   pin_down_response(follower.problem(), state, pins, drawn, matrix);
   return matrix;
 }

@@ -34,7 +34,6 @@ class ShapeResponse {
 
   const ShapeStart& start() const { return start_; }
   const PlanDesignSpace& space() const { return *space_; }
-  const std::shared_ptr<const PlanDesignSpace>& shared_space() const { return space_; }
   std::span<const Parameter> parameters() const { return space_->parameters(); }
   const System& system() const { return space_->base()->system; }
   const std::vector<PinnedNode>& pins() const { return pins_; }

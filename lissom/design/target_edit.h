@@ -40,7 +40,6 @@ class TargetEdit {
   const std::shared_ptr<const ShapeResponse>& shared_response() const { return response_; }
   const HardConstraints& constraints() const { return constraints_; }
   const std::vector<PulledNode>& pulled() const { return pulled_; }
-  const BoundMap& bounds() const { return map_; }
 
  private:
   void add_stay(double stay, MatX& normal) const;

@@ -6,24 +6,15 @@
 #include <memory>
 #include <utility>
 
+#include "lissom/session/totals.h"
 #include "lissom/studio/desk.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double kMillimetres = 1e3, kMillijoules = 1e3;
-
-double height_of(const State& state, int nodes) {
-  double low = INFINITY, high = -INFINITY;
-  for (int i = 0; i < nodes; ++i) {
-    low = std::min(low, state.position(i).z());
-    high = std::max(high, state.position(i).z());
-  }
-  return high - low;
-}
 
 std::string sentence_of(const Branch& branch, double height) {
   return fmt::format("{:.1f} mm high, {:.3g} mJ{}{}", kMillimetres * height, kMillijoules * branch.equilibrium.energy,
@@ -88,7 +79,7 @@ Json BranchShapes::event() const {
   }
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     const Branch& branch = branches_[i];
-    const double height = height_of(branch.equilibrium.state, design->system().layout.nodes());
+    const double height = totals(design->system(), branch.equilibrium.state, 1).height;
     Json entry = {{"energy_mj", kMillijoules * branch.equilibrium.energy},
                   {"height_mm", kMillimetres * height},
                   {"lowest_mode_n_per_m", nullptr},

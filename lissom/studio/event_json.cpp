@@ -7,6 +7,7 @@
 
 #include "lissom/session/rod_places.h"
 #include "lissom/session/totals.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMillimetres = 1e3, kMillijoules = 1e3;
 constexpr double kSquareMillimetres = 1e6;
 
 std::string_view code_name(ErrorCode code) {

@@ -7,6 +7,7 @@
 #include "lissom/design/optimizer.h"
 #include "lissom/studio/design_edit.h"
 #include "lissom/studio/desk.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMillimetres = 1e3;
 constexpr int kMostIterations = 25;
 constexpr double kNearEnough = 0.05;  // of the distance at the start
 constexpr double kTooLittle = 0.02;   // of the value: gaining less, three times in a row, is arriving

@@ -9,6 +9,7 @@
 #include "lissom/studio/event_json.h"
 #include "lissom/studio/remedies.h"
 #include "lissom/studio/shape_constraints.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
@@ -30,10 +31,6 @@ bool is_shape(Verdict verdict) { return verdict == Verdict::kStable || verdict =
 Model with_a_pose(Model model) {
   if (model.poses.empty()) model.poses.emplace_back().name = "released";
   return model;
-}
-
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace

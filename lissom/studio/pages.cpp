@@ -27,11 +27,6 @@ void Pages::disconnect(int page) {
   pages_.erase(page);
 }
 
-int Pages::count() const {
-  const std::scoped_lock lock(in_use_);
-  return static_cast<int>(pages_.size());
-}
-
 void Pages::tell(int page, const nlohmann::json& message) const { send(page, text_of(message)); }
 
 void Pages::tell_all(const nlohmann::json& message) const { send_all(text_of(message)); }

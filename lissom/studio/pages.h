@@ -16,7 +16,6 @@ class Pages {
   int connect(StudioDoor::Send send);
   /// Nothing is sent to the page once this has returned.
   void disconnect(int page);
-  int count() const;
 
   /// JSON to one page, or to all of them.
   void tell(int page, const nlohmann::json& message) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "lissom/editing/people_units.h"
 #include "lissom/session/solved_remedy.h"
 #include "lissom/studio/desk.h"
 
@@ -14,7 +15,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kThinnest = 0.25;  // mm, half of what printers make
-constexpr double kMillimetres = 1e3;
 
 /// The rod of the plan that a rod of the structure, NAME or NAME-3, came from.
 const PlanRod* plan_rod(const Plan& plan, const std::string& name) {
@@ -29,10 +29,10 @@ const PlanRod* plan_rod(const Plan& plan, const std::string& name) {
 Json thicker_points(const Plan& plan) {
   Json points = Json::array();
   for (const PlanPoint& point : plan.points) {
-    const double r_n = kMillimetres * point.r_n, r_b = kMillimetres * point.r_b;
+    const double r_n = millimetres_of(point.r_n), r_b = millimetres_of(point.r_b);
     if (std::min(r_n, r_b) >= kThinnest) continue;
     points.push_back({{"point", point.name},
-                      {"at_mm", {kMillimetres * point.at.x(), kMillimetres * point.at.y()}},
+                      {"at_mm", {millimetres_of(point.at.x()), millimetres_of(point.at.y())}},
                       {"r_n_mm", std::max(r_n, kThinnest)},
                       {"r_b_mm", std::max(r_b, kThinnest)}});
   }

@@ -81,8 +81,6 @@ Answer answer_of(Desk& desk, int page, const Json& body) {
 
 }  // namespace
 
-std::span<const RequestInfo> requests() { return kRequests; }
-
 Json answer_request(Desk& desk, int page, const Json& body) {
   const auto id = body.find("id");
   Json answer = {{"id", id != body.end() && id->is_number_integer() ? *id : Json(nullptr)}};

@@ -2,7 +2,6 @@
 /// What pages can ask for: one list, from which requests are answered (docs/studio/protocol.md, "Requests").
 
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string_view>
 
 #include "lissom/core/result.h"
@@ -22,8 +21,6 @@ struct RequestInfo {
   /// Whether there has to be a document.
   enum class Needs { kNothing, kDocument, kPlan } needs = Needs::kPlan;
 };
-
-std::span<const RequestInfo> requests();
 
 /// The whole answer to a request, `id` included. Never throws.
 nlohmann::json answer_request(Desk& desk, int page, const nlohmann::json& body);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lissom/editing/plan_tools.h"
 #include "lissom/editing/tool_constraints.h"
 
 namespace lissom {
@@ -16,12 +17,6 @@ int node_of(const Model& model, const PlanParts& parts, const std::string& point
     if (model.plan->points[i].name == point) return parts.point_nodes[i];
   }
   return -1;
-}
-
-double size_of(const Plan& plan) {
-  Eigen::AlignedBox2d box;
-  for (const PlanPoint& point : plan.points) box.extend(point.at);
-  return box.diagonal().norm();
 }
 
 /// Rows (a; partner) of the ties of a mirror symmetry.
@@ -69,7 +64,7 @@ HardConstraints hard_constraints(const Model& model, const PlanParts& parts, std
     }
     if (nodes.size() > 3) constraints.in_plane.push_back(std::move(nodes));
   }
-  if (kept.symmetric) constraints.ties = ties_of(*kept.symmetric, size_of(*model.plan), parameters);
+  if (kept.symmetric) constraints.ties = ties_of(*kept.symmetric, plan_size(*model.plan), parameters);
   return constraints;
 }
 

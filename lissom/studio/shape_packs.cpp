@@ -10,6 +10,7 @@
 
 #include "lissom/model/membrane_rim.h"
 #include "lissom/studio/pack_writer.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
@@ -20,7 +21,6 @@ using Floats = std::vector<float>;
 using Numbers = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t kNone = 0xffffffff;
-constexpr double kMillimetres = 1e3;  // per metre
 
 std::uint32_t number(int value) { return value < 0 ? kNone : static_cast<std::uint32_t>(value); }
 

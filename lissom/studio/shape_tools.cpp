@@ -13,6 +13,7 @@
 #include "lissom/studio/event_json.h"
 #include "lissom/studio/fit_job.h"
 #include "lissom/studio/shape_constraints.h"
+#include "lissom/studio/shown_units.h"
 
 namespace lissom {
 
@@ -20,7 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMillimetres = 1e3;
 constexpr double kKeptShare = 2e-3;  // of a mode's amplitude: by so much constraints may be off after it is adopted
 constexpr int kShownChanges = 10;
 
@@ -47,10 +47,6 @@ std::string handle_sentence(const Handle::Preview& preview) {
                        preview.turn * 180 / std::numbers::pi);
   }
   return fmt::format("Misses where it is pulled to by {:.2f} mm", kMillimetres * preview.answer.rms);
-}
-
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace

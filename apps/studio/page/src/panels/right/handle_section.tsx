@@ -1,7 +1,7 @@
 // The held part: typed place, turn and scale, what they would change, accept or cancel.
 
-import { handle, handlePose, preview, softRadius } from '../../core/store';
-import { acceptHandle, cancelHandle, moveHandle, setSoftRadius } from '../../core/handles';
+import { handle, handlePose, preview } from '../../core/store';
+import { acceptHandle, cancelHandle, moveHandle } from '../../core/handles';
 import type { HandleMove } from '../../core/protocol';
 import { short } from '../logic/number_text';
 import { sentence } from '../logic/words';
@@ -10,6 +10,7 @@ import { Facts } from '../parts/facts';
 import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 import { Changes } from './changes';
+import { SoftRadiusField } from './soft_radius_field';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -19,19 +20,7 @@ export function HandleSection() {
   return (
     <>
       <Section title="Handle">
-        <Field
-          label="Soft radius"
-          unit="mm"
-          digits={1}
-          step={1}
-          range={[1, 100]}
-          value={softRadius.value}
-          onPreview={setSoftRadius}
-          onCommit={(value) => {
-            setSoftRadius(value);
-            return null;
-          }}
-        />
+        <SoftRadiusField />
         <PoseFields />
         {answer?.stale && (
           <p class="note warn">

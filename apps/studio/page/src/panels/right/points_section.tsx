@@ -10,7 +10,7 @@ import { Button } from '../parts/button';
 import { Switch } from '../parts/choice';
 import { Field } from '../parts/field';
 import { Section } from '../parts/section';
-import { TextField } from '../parts/text_field';
+import { NameField } from './name_field';
 import { RadiiFields } from './radii_fields';
 
 export function PointsSection() {
@@ -21,18 +21,7 @@ export function PointsSection() {
   const single = points.length === 1 ? points[0] : undefined;
   return (
     <Section title={single ? `Point ${single.name}` : counted(points.length, 'point')}>
-      {single && (
-        <TextField
-          label="Name"
-          value={single.name}
-          disabled={lookOnly.value}
-          onCommit={async (to) => {
-            const answer = await fieldEdit({ name: 'rename', point: single.name, to });
-            if (answer.ok) selection.value = makeSelection({ points: [to] });
-            return answer;
-          }}
-        />
-      )}
+      {single && <NameField kind="point" name={single.name} />}
       <PlaceField axis={0} points={points} />
       <PlaceField axis={1} points={points} />
       <RadiiFields points={points} />

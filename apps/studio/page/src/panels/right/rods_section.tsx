@@ -14,7 +14,7 @@ import { Button } from '../parts/button';
 import { Choice, Switch } from '../parts/choice';
 import { Facts } from '../parts/facts';
 import { Section } from '../parts/section';
-import { TextField } from '../parts/text_field';
+import { NameField } from './name_field';
 import { RadiiFields } from './radii_fields';
 
 const curves: ReadonlyArray<{ value: CurveKind; title: string }> = [
@@ -33,18 +33,7 @@ export function RodsSection() {
   const points = [...new Set(rods.flatMap((rod) => rod.points))].map((p) => now.points[p]).filter((p) => p !== undefined);
   return (
     <Section title={single ? `Rod ${single.name}` : counted(rods.length, 'rod')}>
-      {single && (
-        <TextField
-          label="Name"
-          value={single.name}
-          disabled={lookOnly.value}
-          onCommit={async (to) => {
-            const answer = await fieldEdit({ name: 'rename', rod: single.name, to });
-            if (answer.ok) selection.value = makeSelection({ rods: [to] });
-            return answer;
-          }}
-        />
-      )}
+      {single && <NameField kind="rod" name={single.name} />}
       <Choice
         label="Curve"
         value={curve.kind === 'same' ? curve.value : undefined}

@@ -1,12 +1,12 @@
 // Pull the shape: take hold of a part, say where it should be, see what would change, and make it real.
 
-import { beginHandle, setSoftRadius } from '../../core/handles';
-import { fit, handleCenter, jobs, lookOnly, selection, softRadius } from '../../core/store';
+import { beginHandle } from '../../core/handles';
+import { fit, handleCenter, jobs, lookOnly, selection } from '../../core/store';
 import { Button } from '../parts/button';
-import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 import { FitSection } from './fit_section';
 import { HandleSection } from './handle_section';
+import { SoftRadiusField } from './soft_radius_field';
 
 export function ShapePanel() {
   const fitting = jobs.value.fit?.state === 'running';
@@ -30,19 +30,7 @@ function TakeHold() {
           ? 'Click a place of the shape, or select points of the plan. What lies within the soft radius comes along.'
           : 'What lies within the soft radius of the selection comes along.'}
       </p>
-      <Field
-        label="Soft radius"
-        unit="mm"
-        digits={1}
-        step={1}
-        range={[1, 100]}
-        value={softRadius.value}
-        onPreview={setSoftRadius}
-        onCommit={(value) => {
-          setSoftRadius(value);
-          return null;
-        }}
-      />
+      <SoftRadiusField />
       <Button icon="move-3d" class="primary" disabled={nothing || lookOnly.value} onClick={() => void beginHandle()}>
         Take hold
       </Button>
