@@ -20,7 +20,7 @@ nlohmann::json history_event(const History& history);
 /// How a verdict came about.
 struct VerdictStory {
   double milliseconds = 0;
-  const char* shown = "settled";  ///< "settled", "last good", "unsettled" or "flat"
+  const char* shown = "settled";  ///< "settled", "last good" or "unsettled"
   std::string note;               ///< a sentence, or nothing
 };
 nlohmann::json verdict_event(const Equilibrium& equilibrium, const VerdictStory& story);
