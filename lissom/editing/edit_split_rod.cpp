@@ -11,7 +11,8 @@ namespace {
 
 constexpr EditField kFields[] = {
     {"rod", "rod", "", false, "Which rod."},
-    {"point", "point", "", false, "Where: one of its points. A closed rod is also split at the point across."},
+    {"point", "point", "", true, "Where: one of its points. A closed rod is also split at the point across."},
+    {"at_mm", "place", "mm", true, "Or near which place: it gets a point there, unless one is that near."},
 };
 
 std::ptrdiff_t place_in(const PlanRod& rod, int point) {
@@ -77,10 +78,17 @@ void open_ring(PlanRod& rod, std::ptrdiff_t at) {
 }
 
 Result<EditOutcome> apply(const Model& model, EditReader& edit) {
-  const int r = edit.rod("rod"), point = edit.point("point");
+  const int r = edit.rod("rod");
+  if (edit.has("point") == edit.has("at_mm")) {
+    edit.fail(ErrorCode::kType, {}, "this does not say where to split", "give a point, or at_mm");
+  }
+  const bool anywhere = edit.has("at_mm");
+  int point = anywhere ? -1 : edit.point("point");
+  const Vec2 place = anywhere ? edit.place("at_mm") : Vec2::Zero();
   if (edit.failed()) return edit.error();
   EditOutcome out{model};
   Plan& plan = *out.model.plan;
+  if (anywhere) point = point_on_rod(plan, static_cast<std::size_t>(r), place).point;
   const std::string name = rod_of(plan, r).name, other = unused_rod_name(model);
   std::ptrdiff_t at = place_in(rod_of(plan, r), point);
   const std::string point_name = point_of(plan, point).name;
@@ -89,8 +97,8 @@ Result<EditOutcome> apply(const Model& model, EditReader& edit) {
               "choose one of its points, or put a point there first");
   } else if (!rod_of(plan, r).closed &&
              (at == 0 || at + 1 == static_cast<std::ptrdiff_t>(rod_of(plan, r).points.size()))) {
-    edit.fail(ErrorCode::kConflict, "point", fmt::format("rod \"{}\" ends at \"{}\" already", name, point_name),
-              "choose a point between its ends");
+    edit.fail(ErrorCode::kConflict, anywhere ? "at_mm" : "point",
+              fmt::format("rod \"{}\" ends at \"{}\" already", name, point_name), "choose a place between its ends");
   }
   if (edit.failed()) return edit.error();
   if (rod_of(plan, r).closed) {

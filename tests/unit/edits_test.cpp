@@ -215,6 +215,11 @@ TEST(Edits, SplitsAndJoinsRods) {
   EXPECT_EQ(joined.model.plan->rods.size(), 3U);
   EXPECT_NEAR(joined.model.poses[0].forces[1].at.fraction, 0.25, 1e-9);
 
+  const Json beside = {{"name", "split_rod"}, {"rod", "across"}, {"at_mm", {15, 15}}};
+  const EditOutcome anywhere = done(beside);
+  EXPECT_EQ(names(anywhere.model, rod(anywhere.model, "across")), (Names{"a", "p1"}));
+  EXPECT_EQ(names(anywhere.model, rod(anywhere.model, "rod1")), (Names{"p1", "m", "c"}));
+
   const EditOutcome ring = done({{"name", "split_rod"}, {"rod", "frame"}, {"point", "b"}});
   EXPECT_EQ(names(ring.model, rod(ring.model, "frame")), (Names{"b", "c", "d"}));
   EXPECT_EQ(names(ring.model, rod(ring.model, "rod1")), (Names{"d", "a", "b"}));
@@ -227,6 +232,8 @@ TEST(Edits, SplitsAndJoinsRods) {
   EXPECT_EQ(names(arc.model, rod(arc.model, "rod1")), (Names{"k", "p2", "c"}));
   EXPECT_EQ(refused({{"name", "split_rod"}, {"rod", "across"}, {"point", "a"}}).where, "/edit/point");
   EXPECT_EQ(refused({{"name", "split_rod"}, {"rod", "across"}, {"point", "b"}}).where, "/edit/point");
+  EXPECT_EQ(refused({{"name", "split_rod"}, {"rod", "across"}}).where, "/edit");
+  EXPECT_EQ(refused({{"name", "split_rod"}, {"rod", "across"}, {"at_mm", {0, 0.1}}}).where, "/edit/at_mm");
   EXPECT_EQ(refused({{"name", "join_rods"}, {"rods", {"across", "bow"}}}).where, "/edit/rods");
   EXPECT_EQ(refused({{"name", "join_rods"}, {"rods", {"across", "frame"}}}).where, "/edit/rods");
 }

@@ -9,7 +9,7 @@ import { clearLatencies, latencies, type LatencyKind } from './core/latency';
 import * as store from './core/store';
 import { cameraMoves, setCamera } from './view/camera_motion';
 import { toPixel } from './core/plan_camera';
-import { kNoNode } from './core/protocol';
+import { kNoNode, type Vec2 } from './core/protocol';
 import { row3 } from './core/vec';
 
 function counts() {
@@ -63,17 +63,22 @@ async function whenIdle(milliseconds = 20000): Promise<void> {
   }
 }
 
-/** Where a control point is on the page, CSS pixels: for the pointer of tests. */
-function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | null {
+/** Where a place of the plan, mm, is on the page, CSS pixels: for the pointer of tests. */
+function pixelInPlan(at: Vec2): Vec2 | null {
+  const box = document.querySelector('.plan-view')?.getBoundingClientRect();
+  if (!box) return null;
+  const [x, y] = toPixel(store.planCamera.peek(), box, at);
+  return [box.left + x, box.top + y];
+}
+
+/** Where a control point is on the page. */
+function pixelOf(point: string, where: 'plan' | 'shape'): Vec2 | null {
   const index = store.pointIndex.peek().get(point);
   const plan = store.plan.peek();
-  const element = document.querySelector(where === 'plan' ? '.plan-view' : '.viewport');
-  if (index === undefined || !plan || !element) return null;
-  const box = element.getBoundingClientRect();
-  if (where === 'plan') {
-    const [x, y] = toPixel(store.planCamera.peek(), box, plan.points[index].at_mm);
-    return [box.left + x, box.top + y];
-  }
+  if (index === undefined || !plan) return null;
+  if (where === 'plan') return pixelInPlan(plan.points[index].at_mm);
+  const box = document.querySelector('.viewport')?.getBoundingClientRect();
+  if (!box) return null;
   const picture = store.picture.peek();
   const node = picture?.topology.point_nodes[index] ?? kNoNode;
   if (node === kNoNode || !picture) return null;
@@ -82,7 +87,7 @@ function pixelOf(point: string, where: 'plan' | 'shape'): [number, number] | nul
 }
 
 /** Where a grip of the handle is on the page: "x", "turn-z", "scale", ... */
-function pixelOfGrip(grip: Grip): [number, number] | null {
+function pixelOfGrip(grip: Grip): Vec2 | null {
   const center = gizmoPlace();
   const box = document.querySelector('.viewport')?.getBoundingClientRect();
   if (!center || !box) return null;
@@ -100,6 +105,7 @@ export interface LissomTest {
   verdict: () => unknown;
   plan: () => unknown;
   history: () => unknown;
+  fit: () => unknown;
   fault: () => unknown;
   jobs: () => unknown;
   renderer: () => { name: string; software: boolean };
@@ -107,6 +113,7 @@ export interface LissomTest {
   clearLatencies: () => void;
   busy: () => string;
   whenIdle: typeof whenIdle;
+  pixelInPlan: typeof pixelInPlan;
   pixelOf: typeof pixelOf;
   pixelOfGrip: typeof pixelOfGrip;
 }
@@ -120,6 +127,7 @@ export function installTestHook(target: { lissomTest?: LissomTest }): void {
     verdict: () => store.verdict.peek(),
     plan: () => store.plan.peek(),
     history: () => store.history.peek(),
+    fit: () => store.fit.peek(),
     fault: () => store.fault.peek(),
     jobs: () => store.jobs.peek(),
     renderer: () => ({ name: store.rendererName.peek(), software: store.softwareRenderer.peek() }),
@@ -127,6 +135,7 @@ export function installTestHook(target: { lissomTest?: LissomTest }): void {
     clearLatencies,
     busy,
     whenIdle,
+    pixelInPlan,
     pixelOf,
     pixelOfGrip,
   };

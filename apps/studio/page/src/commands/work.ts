@@ -3,6 +3,8 @@
 import type { Command } from '../core/commands';
 import { send } from '../core/connection';
 import { acceptHandle, cancelHandle } from '../core/handles';
+import { isEmpty } from '../core/selection';
+import { toggleStill } from '../core/still';
 import * as store from '../core/store';
 import type { WorkMode } from '../core/store';
 import { tools } from '../tools/index';
@@ -88,6 +90,16 @@ export const workCommands: Command[] = [
   },
   { id: 'shape.accept', title: 'Make the wanted shape real', group: 'Shape', icon: 'check', enabled: held, run: acceptHandle },
   { id: 'shape.cancel', title: 'Let go of the handle', group: 'Shape', icon: 'close', enabled: held, run: cancelHandle },
+  {
+    id: 'shape.still',
+    title: 'Hold still while something else is pulled, or let go',
+    group: 'Shape',
+    keys: ['Shift+H'],
+    icon: 'lock',
+    help: 'What is selected stays where it is, as far as it can; then select what to pull',
+    enabled: () => store.workMode.value === 'shape' && editing() && !isEmpty(store.selection.value),
+    run: toggleStill,
+  },
   ...(['move', 'rotate', 'scale'] as const).map(
     (kind): Command => ({
       id: `shape.${kind}`,

@@ -153,6 +153,7 @@ function applyTopology(pack: TopologyPack): void {
       // Numbers of nodes mean nothing on another mesh.
       const { points, rods } = store.selection.peek();
       if (store.selection.peek().nodes.size > 0) store.selection.value = { points, rods, nodes: new Set() };
+      if (store.still.peek().nodes.size > 0) store.still.value = { ...store.still.peek(), nodes: new Set() };
       store.preview.value = null;
       store.modeShapes.value = null;
       store.branchShapes.value = null;

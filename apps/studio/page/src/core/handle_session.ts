@@ -3,6 +3,7 @@
 
 import { computed, effect } from '@preact/signals-core';
 import { beginHandle, cancelHandle } from './handles';
+import { emptySelection } from './selection';
 import * as store from './store';
 
 /** Selecting by box or Shift makes many changes at once: the last one counts. */
@@ -16,10 +17,16 @@ export function holdInShape(): () => void {
     effect(() => {
       const { points, nodes } = store.selection.value;
       void revision.value;
+      void store.still.value;
       const ready = store.workMode.value === 'shape' && !store.lookOnly.value && !fitting.value;
       clearTimeout(timer);
       if (ready) timer = setTimeout(() => void beginHandle(), points.size + nodes.size > 0 ? kRestMs : 0);
       else if (store.handleCenter.peek() && !fitting.peek()) cancelHandle();
+    }),
+    // Names and numbers mean something else in another design.
+    effect(() => {
+      void store.design.value;
+      store.still.value = emptySelection;
     }),
     // The engine has let go (accepted, or the design has changed): so does the page.
     effect(() => {

@@ -5,6 +5,7 @@ import { send } from './connection';
 import { restPose } from './gizmo';
 import { noteHandleMove } from './latency';
 import type { HandleAnswer, HandleMove, Vec3 } from './protocol';
+import { stillBeside } from './still';
 import * as store from './store';
 
 let flying = false;
@@ -25,7 +26,8 @@ export async function beginHandle(): Promise<void> {
   }
   const part = selection.nodes.size > 0 ? { nodes: [...selection.nodes] } : { points: [...selection.points] };
   // Where nothing can be held yet (the shape has not settled) the selection waits for it without a word.
-  const answer = await send({ do: 'handle_begin', ...part, radius_mm: store.softRadius.peek() }, true);
+  const held = stillBeside(selection);
+  const answer = await send({ do: 'handle_begin', ...part, ...(held.length > 0 && { held }), radius_mm: store.softRadius.peek() }, true);
   if (mine !== beginning) return;
   store.handleCenter.value = answer.ok ? (answer as unknown as HandleAnswer).center_mm : null;
 }

@@ -75,7 +75,7 @@ export type Edit =
   | { name: 'set_split'; points: string[]; split: boolean }
   | { name: 'set_curve'; rods: string[]; curve: CurveKind }
   | { name: 'set_closed'; rod: string; closed: boolean }
-  | { name: 'split_rod'; rod: string; point: string }
+  | { name: 'split_rod'; rod: string; point?: string; at_mm?: Vec2 }
   | { name: 'join_rods'; rods: [string, string] }
   | { name: 'merge_points'; points: string[] }
   | { name: 'rename'; point?: string; rod?: string; to: string }

@@ -1,4 +1,4 @@
-// Where the pointer means to be in the plan: on a point, in the middle of a rod, on a rod, on the line of symmetry, in
+// Where the pointer means to be in the plan: on a point, where a line touches a rod, in the middle of a rod, on a rod, on the line of symmetry, in
 // steps of 15 degrees from the point before, near the lines of the grid. The first that is within reach wins.
 
 import { nearestOnLine } from './picking';
@@ -29,7 +29,7 @@ export interface SnapRequest {
 
 export interface Snap {
   at: Vec2;
-  kind: 'free' | 'point' | 'middle' | 'rod' | 'symmetry' | 'angle' | 'grid';
+  kind: 'free' | 'point' | 'tangent' | 'middle' | 'rod' | 'symmetry' | 'angle' | 'grid';
   /** Name of the point or rod. */
   name: string;
   /** What to draw: a line that explains the place. */
@@ -44,7 +44,7 @@ export function snap(request: SnapRequest, plan: PlanEvent | null): Snap {
   const { options } = request;
   return (
     (options.points && toPoint(request, plan)) ||
-    (options.rods && toRod(request, plan)) ||
+    (options.rods && (toTangent(request, plan) || toRod(request, plan))) ||
     (options.symmetry && toSymmetry(request, plan.constraints.symmetric)) ||
     (options.angle && toAngle(request)) ||
     (options.grid && toGrid(request)) ||
@@ -75,6 +75,26 @@ function toRod({ at, reach_mm, except }: SnapRequest, plan: PlanEvent): Snap | n
     if (found.distance > nearest) continue;
     nearest = found.distance;
     best = { at: found.at, kind: 'rod', name: rod.name, guide: null };
+  }
+  return best;
+}
+
+/** Where the line from the point before touches a rod without crossing it. */
+function toTangent({ at, from, reach_mm, except }: SnapRequest, plan: PlanEvent): Snap | null {
+  if (!from) return null;
+  let best: Snap | null = null;
+  let nearest = reach_mm;
+  for (const rod of plan.rods) {
+    if (except && rod.points.some((i) => except.has(plan.points[i].name))) continue;
+    const line = rod.line_mm;
+    // From which side the line from `from` to a place of the rod meets it: it changes where both have one direction.
+    const side = (i: number) => (line[i + 1][0] - line[i][0]) * (line[i][1] - from[1]) - (line[i + 1][1] - line[i][1]) * (line[i][0] - from[0]);
+    for (let i = 1; i + 1 < line.length; ++i) {
+      const distance = distance2(at, line[i]);
+      if (distance > nearest || distance2(line[i], from) < 2 * reach_mm || side(i - 1) * side(i) >= 0) continue;
+      nearest = distance;
+      best = { at: line[i], kind: 'tangent', name: rod.name, guide: [from, line[i]] };
+    }
   }
   return best;
 }

@@ -112,6 +112,8 @@ export const modeAmplitude = signal(10);
 export const modeBreathes = signal(true);
 /** Which other stable shape is drawn as a ghost; -1: none. */
 export const shownBranch = signal(-1);
+/** What is to stay where it is while something else is pulled. */
+export const still = signal<Selection>(emptySelection);
 /** Soft radius of the handle, mm. The wheel over the view changes it in Shape. */
 export const softRadius = signal(20);
 /** What the gizmo does. */
@@ -196,9 +198,6 @@ export const softwareRenderer = signal(false);
 /** Snapping in the plan; Alt suspends it. */
 export const snapping = signal({ grid: true, points: true, rods: true, angle: true, symmetry: true });
 export const gridStep = signal(5);
-
-/** The fabric's direction: mirrored drawing while a symmetry constraint is set. Panels may show a switch. */
-export const symmetricEditing = signal(true);
 
 /** Sentence for the live region (polite); written by announce() of core/commands.ts and by verdict changes. */
 export const announcement = signal('');

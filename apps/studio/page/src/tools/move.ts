@@ -3,7 +3,7 @@
 import { Drag } from '../core/drag';
 import { noteMove } from '../core/latency';
 import type { Edit, PlanEvent, Vec2 } from '../core/protocol';
-import { localMoves, plan, symmetricEditing } from '../core/store';
+import { localMoves, plan } from '../core/store';
 import { withImages } from '../core/symmetry';
 
 export class PointDrag {
@@ -25,7 +25,7 @@ export class PointDrag {
       const from = this.places.get(point) ?? [0, 0];
       return { point, to_mm: [from[0] + by[0], from[1] + by[1]] as Vec2 };
     });
-    const moves = symmetricEditing.peek() ? withImages(this.start, own) : own;
+    const moves = withImages(this.start, own);
     noteMove(time);
     localMoves.value = new Map(moves.map((m) => [m.point, m.to_mm]));
     this.drag.update({ name: 'move_points', moves } satisfies Edit);
@@ -47,5 +47,5 @@ export class PointDrag {
 /** Moves points once, as arrow keys do. */
 export function movesNow(moves: { point: string; to_mm: Vec2 }[]): { point: string; to_mm: Vec2 }[] {
   const now = plan.peek();
-  return now && symmetricEditing.peek() ? withImages(now, moves) : moves;
+  return now ? withImages(now, moves) : moves;
 }

@@ -19,7 +19,7 @@ let cursor: Snap | null = null;
 
 function throughOf(snap: Snap): Through {
   if (snap.kind === 'point') return { point: snap.name };
-  if (snap.kind === 'rod' || snap.kind === 'middle') return { rod: snap.name, at_mm: snap.at };
+  if (snap.kind === 'rod' || snap.kind === 'middle' || snap.kind === 'tangent') return { rod: snap.name, at_mm: snap.at };
   return { at_mm: snap.at };
 }
 

@@ -39,7 +39,10 @@ void main() {
   bool turned = dot(n, eye) < 0.0;
   if (turned) n = -n;
   vec3 c = turned ? behind : front;
-  if (coloured > 0.5) c = texture(table, vec2(clamp((carried.y - range.x) * range.y, 0.0, 1.0), 0.5)).rgb;
+  if (coloured > 0.5) {
+    float share = (carried.y - range.x) * range.y;
+    c = hatched(coloured, share) * texture(table, vec2(clamp(share, 0.0, 1.0), 0.5)).rgb;
+  }
   c = mix(c, selectColour, 0.45 * carried.z);
   float grazing = 1.0 - dot(n, eye);
   vec3 shaded = c * (0.86 * lit(n) + 0.10) + 0.10 * glint(n, eye, 22.0) + 0.10 * glint(n, eye, 90.0);

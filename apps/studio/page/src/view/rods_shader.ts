@@ -66,7 +66,10 @@ ${kLight}
 void main() {
   vec3 n = normalize(normal);
   vec3 c = base;
-  if (coloured > 0.5) c = texture(table, vec2(clamp((value - range.x) * range.y, 0.0, 1.0), 0.5)).rgb;
+  if (coloured > 0.5) {
+    float share = (value - range.x) * range.y;
+    c = hatched(coloured, share) * texture(table, vec2(clamp(share, 0.0, 1.0), 0.5)).rgb;
+  }
   c = mix(c, selectColour, max(mark.x, mark.z * 0.85));
   c = mix(c, warnColour, mark.w);
   c = mix(c, hoverColour, mark.y * 0.8);

@@ -30,6 +30,11 @@ float lit(vec3 n) {
 float glint(vec3 n, vec3 toEye, float power) {
   return pow(max(dot(n, normalize(kKey + toEye)), 0.0), power);
 }
+// Beyond a locked range (coloured: 2) there are no colours: hatched. share: 0 to 1 within it.
+float hatched(float coloured, float share) {
+  bool within = coloured < 1.5 || (share > -0.002 && share < 1.002);
+  return within || mod(gl_FragCoord.x + gl_FragCoord.y, 7.0) < 4.5 ? 1.0 : 0.5;
+}
 `;
 
 export type Uniforms = Record<string, IUniform>;

@@ -45,12 +45,10 @@ export function sync(view: View): () => void {
       view.setShape(shape, fieldOf(shape.field_rods, store.rodField.value) !== null, fieldOf(shape.field_fabric, store.fabricField.value) !== null);
     }),
     effect(() => {
-      const { low, high } = store.rodRange.value;
-      view.setColours('rods', fieldOf(store.shape.value?.field_rods, store.rodField.value), low, high);
+      view.setColours('rods', fieldOf(store.shape.value?.field_rods, store.rodField.value), store.rodRange.value);
     }),
     effect(() => {
-      const { low, high } = store.fabricRange.value;
-      view.setColours('fabric', fieldOf(store.shape.value?.field_fabric, store.fabricField.value), low, high);
+      view.setColours('fabric', fieldOf(store.shape.value?.field_fabric, store.fabricField.value), store.fabricRange.value);
     }),
     effect(() => view.setFaded(store.verdict.value?.shown === 'last good' ? 0.5 : 0)),
     effect(() => {

@@ -2,6 +2,7 @@
 
 import { effect } from '@preact/signals-core';
 import { kNoNode, type TopologyPack } from '../core/protocol';
+import { nodesOf } from '../core/still';
 import * as store from '../core/store';
 import { bounds, norm, row3, sub, type Vec3 } from '../core/vec';
 import type { Marker } from './markers';
@@ -14,6 +15,7 @@ export function syncConstraints(view: View): () => void {
       const now = present();
       view.markers.points.set(now && store.show.points.value ? pointMarkers(view, now) : []);
       view.markers.pins.set(now && store.show.constraints.value ? pinMarkers(view, now) : []);
+      view.markers.still.set(now && store.workMode.value === 'shape' ? stillMarkers(view, now) : []);
       view.lines.links.set(now && store.show.constraints.value ? linkStrokes(view, now) : []);
       view.lines.dashed.set(now && store.show.ghosts.value ? ghostStrokes(view, now) : []);
       view.invalidate();
@@ -67,6 +69,10 @@ function pinMarkers(view: View, now: Present): Marker[] {
     const place = placeOf(name, now);
     return place ? [{ place, colour: view.palette.pin, size: 17 }] : [];
   });
+}
+
+function stillMarkers(view: View, { topology, positions }: Present): Marker[] {
+  return [...nodesOf(store.still.value, topology)].map((node) => ({ place: row3(positions, node), colour: view.palette.pin, size: 9 }));
 }
 
 function linkStrokes(view: View, now: Present): Stroke[] {

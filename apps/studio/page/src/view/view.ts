@@ -4,6 +4,7 @@
 import { Camera as ThreeCamera, ColorManagement, Scene, Vector2, WebGLRenderer } from 'three';
 import { homeCamera, projectionMatrix, scaleOf, viewMatrix, type Camera, type Screen } from '../core/camera';
 import type { FieldInfo, ShapePack, TopologyPack } from '../core/protocol';
+import type { LegendRange } from '../core/store';
 import { bounds, type Vec3 } from '../core/vec';
 import { Fabric } from './fabric';
 import { Ghost } from './ghost';
@@ -48,6 +49,7 @@ export class View {
   readonly markers = {
     points: new Markers('disc', { order: 7 }),
     pins: new Markers('pyramid'),
+    still: new Markers('cube', { depthTest: false, order: 7 }),
     targets: new Markers('disc', { depthTest: false, order: 6 }),
     tips: new Markers('cone', { depthTest: false, order: 10 }),
     knobs: new Markers('cube', { depthTest: false, order: 10 }),
@@ -170,9 +172,9 @@ export class View {
   }
 
   /** Colours of a field on rods or fabric; null: plain. */
-  setColours(part: 'rods' | 'fabric', field: FieldInfo | null, low: number, high: number): void {
+  setColours(part: 'rods' | 'fabric', field: FieldInfo | null, { low, high, locked }: LegendRange): void {
     const { uniforms } = this[part];
-    uniforms.coloured.value = field ? 1 : 0;
+    uniforms.coloured.value = field ? (locked ? 2 : 1) : 0;
     if (field) uniforms.table.value = field.diverging ? this.tables.diverging : this.tables.sequential;
     (uniforms.range.value as Vector2).set(low, 1 / Math.max(high - low, 1e-12));
     this.invalidate();

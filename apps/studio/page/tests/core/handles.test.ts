@@ -5,7 +5,8 @@ import { acceptHandle, cancelHandle, gizmoPlace, moveHandle, resetPose, setSoftR
 import { restPose } from '../../src/core/gizmo';
 import { emptySelection, makeSelection } from '../../src/core/selection';
 import * as store from '../../src/core/store';
-import { shape } from './fixtures';
+import { nodesOf, toggleStill } from '../../src/core/still';
+import { plan, shape, topology } from './fixtures';
 
 interface Sent {
   id: number;
@@ -109,6 +110,33 @@ describe('what is selected in Shape is held', () => {
     store.jobs.value = {};
     await rest(100);
     expect(of('handle_begin')).toHaveLength(before + 1);
+  });
+});
+
+describe('what is to stay', () => {
+  test('goes with what is pulled, until it is let go or the design is another one', async () => {
+    store.topology.value = topology();
+    store.workMode.value = 'shape';
+    store.selection.value = makeSelection({ nodes: [2, 3] });
+    toggleStill();
+    expect(store.selection.value.nodes.size).toBe(0);
+    store.selection.value = makeSelection({ nodes: [3, 4] });
+    await rest(100);
+    expect(of('handle_begin').at(-1)).toMatchObject({ nodes: [3, 4], held: [2] });
+    store.selection.value = makeSelection({ nodes: [2] });
+    toggleStill();
+    expect([...store.still.value.nodes]).toEqual([3]);
+    store.design.value += 1;
+    expect(store.still.value.nodes.size).toBe(0);
+  });
+
+  test('of a rod all nodes, of a point its own', () => {
+    const mesh = topology();
+    const [name] = mesh.rods.map((rod) => String(rod.plan_rod));
+    const nodes = [...mesh.rod_nodes.subarray(mesh.rod_starts[0], mesh.rod_starts[1])];
+    expect(new Set(nodesOf(makeSelection({ rods: [name] }), mesh))).toEqual(new Set(nodes));
+    store.plan.value = plan();
+    expect([...nodesOf(makeSelection({ points: [plan().points[0].name] }), mesh)]).toEqual([mesh.point_nodes[0]]);
   });
 });
 

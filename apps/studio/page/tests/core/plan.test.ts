@@ -12,6 +12,18 @@ const on = { grid: true, points: true, rods: true, angle: true, symmetry: true }
 const request = (at: [number, number], more: Partial<SnapRequest> = {}): SnapRequest => ({ at, options: on, grid_mm: 5, reach_mm: 0.5, ...more });
 
 describe('snapping', () => {
+  test('to where a line from the point before touches a rod', () => {
+    const now = plan();
+    const turn = (i: number): [number, number] => [30 + 10 * Math.cos((i * Math.PI) / 32), 10 * Math.sin((i * Math.PI) / 32)];
+    now.rods[1].line_mm = Array.from({ length: 33 }, (_, i) => turn(i));
+    // From (30, 20) a circle of radius 10 about (30, 0) is touched at 30 degrees.
+    const [x, y] = [30 + 10 * Math.cos(Math.PI / 6), 5];
+    const found = snap(request([x + 0.4, y - 0.3], { from: [30, 20], options: { ...on, points: false } }), now);
+    expect(found).toMatchObject({ kind: 'tangent', name: 'cross' });
+    expect(Math.hypot(found.at[0] - x, found.at[1] - y)).toBeLessThan(1);
+    expect(snap(request([30, 10.2], { from: [30, 20], options: { ...on, points: false } }), now).kind).not.toBe('tangent');
+  });
+
   test('points, then middles, then rods', () => {
     expect(snap(request([10.2, 0.1]), plan())).toMatchObject({ kind: 'point', name: 'b', at: [10, 0] });
     expect(snap(request([9.9, 9.8], { except: new Set(['c']) }), plan()).kind).not.toBe('point');

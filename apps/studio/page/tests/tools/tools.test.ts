@@ -219,10 +219,10 @@ describe('one click', () => {
     expect(store.toolHint.value).toBe(tool.help);
   });
 
-  test('a cut beside points makes one first', async () => {
+  test('a cut beside points is one step', async () => {
     click(toolOf('cut'), 2, 2.1);
     await rest();
-    expect(edits.map((e) => e.name)).toEqual(['insert_point', 'split_rod']);
+    expect(edits).toMatchObject([{ name: 'split_rod', rod: 'cross', at_mm: [2.05, 2.05] }]);
   });
 
   test('a cut at an end says why not', () => {

@@ -44,6 +44,7 @@ export function Legend(props: LegendProps) {
         />
       </header>
       <Scale field={field} low={low} high={high} bins={bins} />
+      {locked && beyond(field, low, high) && <p class="small soft">Hatched: beyond the range.</p>}
       {editing && (
         <div class="stack legend-range">
           <Field
@@ -59,6 +60,12 @@ export function Legend(props: LegendProps) {
       )}
     </section>
   );
+}
+
+/** Some values have no colour of their own, as view/shading.ts has it. */
+function beyond(field: FieldInfo, low: number, high: number): boolean {
+  const slack = 0.002 * (high - low);
+  return field.low < low - slack || field.high > high + slack;
 }
 
 function Scale({ field, low, high, bins }: { field: FieldInfo; low: number; high: number; bins: readonly number[] }) {

@@ -2,11 +2,11 @@
 
 import { makeSelection } from '../../core/selection';
 import type { Constraints } from '../../core/protocol';
-import { lookOnly, plan, selection, symmetricEditing } from '../../core/store';
+import { lookOnly, plan, selection } from '../../core/store';
 import { setConstraints } from '../edits';
 import { listText } from '../logic/words';
 import { Button } from '../parts/button';
-import { Choice, Switch } from '../parts/choice';
+import { Choice } from '../parts/choice';
 import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 
@@ -133,11 +133,7 @@ function SymmetryFields({ now }: { now: Constraints }) {
               return null;
             }}
           />
-          <Switch
-            label="Draw both sides at once"
-            checked={symmetricEditing.value}
-            onSwitch={(on) => (symmetricEditing.value = on)}
-          />
+          <p class="small soft">What is done on one side is done on the other.</p>
         </>
       )}
     </>

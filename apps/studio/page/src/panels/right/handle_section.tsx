@@ -11,6 +11,7 @@ import { Field } from '../parts/field';
 import { Section } from '../parts/section';
 import { Changes } from './changes';
 import { SoftRadiusField } from './soft_radius_field';
+import { StillRow } from './still_row';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -21,6 +22,7 @@ export function HandleSection() {
     <>
       <Section title="Handle">
         <SoftRadiusField />
+        <StillRow />
         <PoseFields />
         {answer?.stale && (
           <p class="note warn">

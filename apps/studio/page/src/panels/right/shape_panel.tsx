@@ -7,6 +7,7 @@ import { Section } from '../parts/section';
 import { FitSection } from './fit_section';
 import { HandleSection } from './handle_section';
 import { SoftRadiusField } from './soft_radius_field';
+import { StillRow } from './still_row';
 
 export function ShapePanel() {
   const fitting = jobs.value.fit?.state === 'running';
@@ -31,6 +32,7 @@ function TakeHold() {
           : 'What lies within the soft radius of the selection comes along.'}
       </p>
       <SoftRadiusField />
+      <StillRow />
       <Button icon="move-3d" class="primary" disabled={nothing || lookOnly.value} onClick={() => void beginHandle()}>
         Take hold
       </Button>
