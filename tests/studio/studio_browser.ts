@@ -50,7 +50,7 @@ export class Studio {
   readonly complaints: string[] = [];
   /** Bytes that came over the wire for the page, by file. */
   readonly bytes = new Map<string, number>();
-  private readonly folder = mkdtempSync(join(tmpdir(), 'lissom-studio-'));
+  readonly folder = mkdtempSync(join(tmpdir(), 'lissom-studio-'));
   private server!: ChildProcess;
   private browser!: Browser;
   private context!: BrowserContext;
@@ -82,6 +82,11 @@ export class Studio {
     this.entered = true;
     await idle(page);
     return page;
+  }
+
+  /** Number of the server's process. */
+  get process(): number {
+    return this.server.pid ?? 0;
   }
 
   /** As if the machine had lost it. */
