@@ -1,0 +1,68 @@
+// Pulls at the butterfly through the page while points are pinned and its sides are mirror images: accepted, nearer to what
+// was wanted, and what has to stay stays.
+
+import { afterAll, beforeAll, beforeEach, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { idle, pixelOf, Studio } from './studio_browser';
+
+interface Fit {
+  before_mm: number;
+  after_mm: number;
+  constraint_mm: number;
+}
+
+const pinned = ['k1-l', 'k1-r'];
+/** mm */
+const mostOff = 0.1;
+
+let studio: Studio;
+let page: Page;
+
+beforeAll(async () => {
+  studio = await Studio.start('butterfly');
+  page = await studio.open();
+  for (const point of pinned) {
+    await page.keyboard.press('Shift+I');
+    await page.mouse.click(...(await pixelOf(page, point, 'plan')));
+    await idle(page);
+  }
+  await page.keyboard.press('Escape');
+  await page.getByRole('tab', { name: 'Explore', exact: true }).click();
+  await page.getByRole('combobox', { name: 'Mirror symmetry' }).selectOption({ label: 'Left and right (x)' });
+  await page.waitForFunction(() => window.lissomTest.counts().at === 3);
+  await idle(page);
+  await page.getByRole('tab', { name: 'Shape', exact: true }).click();
+}, 180_000);
+afterAll(() => studio.end());
+
+beforeEach(async () => {
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+});
+
+test.each([
+  ['f3-r', 'gz4'],
+  ['h1-l', 'gz5'],
+  ['f3-l', 'gx3'],
+])('%s by %s', async (point, typed) => {
+  await page.mouse.click(...(await pixelOf(page, point, 'shape')));
+  await page.waitForFunction(() => window.lissomTest.pixelOfGrip('z') !== null);
+  await page.keyboard.type(typed);
+  await expect.poll(async () => (await page.evaluate(() => window.lissomTest.latencies())).preview.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  const { at } = await page.evaluate(() => window.lissomTest.counts());
+  const began = Date.now();
+  await page.getByRole('button', { name: /^Accept/ }).click();
+  await expect.poll(() => page.evaluate(() => window.lissomTest.counts().at), { timeout: 110_000 }).toBe(at + 1);
+  const took = (Date.now() - began) / 1000;
+  await idle(page);
+  const fit = await page.evaluate(() => window.lissomTest.fit() as Fit);
+  console.log(`${point} ${typed}: ${fit.before_mm.toFixed(3)} to ${fit.after_mm.toFixed(3)} mm, constraints off by ${fit.constraint_mm.toFixed(4)} mm, ${took.toFixed(1)} s`);
+  expect(fit.after_mm).toBeLessThan(fit.before_mm);
+  expect(fit.constraint_mm).toBeLessThanOrEqual(mostOff);
+  const verdict = await page.evaluate(() => window.lissomTest.verdict() as { name: string });
+  expect(verdict.name).toBe('stable');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => page.evaluate(() => window.lissomTest.counts().at), { timeout: 30_000 }).toBe(at);
+  await idle(page);
+  expect(studio.complaints).toEqual([]);
+});
