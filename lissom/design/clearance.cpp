@@ -13,8 +13,6 @@ namespace lissom {
 
 namespace {
 
-constexpr double kDetour = 1.5;  // along the rods, against straight across: less than in fabrication/near_rods.cpp
-
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Where the segments a0 a1 and b0 b1 are nearest [Ericson 2005, 5.1.9], 0 to 1 along each.
@@ -119,18 +117,22 @@ class Neighbours {
   std::map<std::array<int, 3>, std::vector<int>> cells_;
 };
 
-/// Where the parameters may bring edges from where they are drawn: how thick they get and how far they move, m.
+/// Where the parameters may bring edges from where they are drawn: how thin and thick they get and how far they move, m.
 struct Reach {
-  double extent = 0, move = 0;
+  double least = std::numeric_limits<double>::infinity(), extent = 0, move = 0;
 };
 
 Reach reach_of(const Structure& structure, std::span<const Parameter> parameters) {
   Reach reach;
   for (const StructureEdge& edge : structure.edges) {
+    reach.least = std::min({reach.least, edge.section.r_n, edge.section.r_b});
     reach.extent = std::max({reach.extent, edge.section.r_n, edge.section.r_b});
   }
   for (const Parameter& p : parameters) {
-    if (p.kind == ParameterKind::kRadius) reach.extent = std::max(reach.extent, p.upper);
+    if (p.kind == ParameterKind::kRadius) {
+      reach.least = std::min(reach.least, p.lower);
+      reach.extent = std::max(reach.extent, p.upper);
+    }
     if (p.kind == ParameterKind::kDisplacement) reach.move = std::max({reach.move, p.upper, -p.lower});
   }
   return reach;
@@ -138,7 +140,7 @@ Reach reach_of(const Structure& structure, std::span<const Parameter> parameters
 
 }  // namespace
 
-std::vector<EdgePair> edges_side_by_side(const Structure& structure, double within) {
+std::vector<EdgePair> edges_side_by_side(const Structure& structure, double within, double least_extent) {
   const Ways ways(structure);
   std::vector<Vec3> middles;
   double longest = 0;
@@ -162,12 +164,11 @@ std::vector<EdgePair> edges_side_by_side(const Structure& structure, double with
       const double distance = across.norm();
       if (!(distance > 0) || distance > within) return;
       const EdgePair pair{e, f, places[0], places[1], across / distance, distance};
+      if (ways.way(pair) <= kJointDetour * 2 * least_extent) return;
       const auto [entry, fresh] = nearest.emplace(other.rod, pair);
       if (!fresh && distance < entry->second.distance) entry->second = pair;
     });
-    for (const auto& [rod, pair] : nearest) {
-      if (ways.way(pair) > kDetour * pair.distance) pairs.push_back(pair);
-    }
+    for (const auto& [rod, pair] : nearest) pairs.push_back(pair);
   }
   return pairs;
 }
@@ -178,7 +179,7 @@ ParameterGoal make_clearance(const Design& base, const DesignSpace& space, doubl
   const Reach reach = reach_of(structure, space.parameters());
   // Rods that come nearer to each other by more than one of them may move are not watched.
   const double within = 2 * reach.extent + reach.move + gap;
-  const std::vector<EdgePair> pairs = edges_side_by_side(structure, within);
+  const std::vector<EdgePair> pairs = edges_side_by_side(structure, within, reach.least);
   std::vector<Eigen::Triplet<double>> entries;
   VecX drawn(static_cast<Eigen::Index>(pairs.size()));
   const VecX start = space.start();

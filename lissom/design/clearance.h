@@ -16,10 +16,15 @@ struct EdgePair {
   double distance = 0;             ///< m, between the centrelines
 };
 
+/// Places of two rods belong to one joint where the way along the rods, over a single rod between, is at most so many times
+/// as long as the half-widths of both: all of it would be joint. The check of prints (fabrication/near_rods.h) counts the gap
+/// to the widths.
+constexpr double kJointDetour = 1.8;
+
 /// Of every edge the nearest edge of each rod within `within` (m) whose rod shares no node with its own. Left out is what
-/// belongs to one joint of several, as the check of prints sees it (fabrication/near_rods.h): where the way along the rods, over
-/// a single rod between, is at most 1.5 times as long as straight across. The check says 1.8, but of the shape that is found.
-std::vector<EdgePair> edges_side_by_side(const Structure& structure, double within);
+/// belongs to one joint however thin the rods get, down to a half-width of `least_extent` (m): wherever the check of prints
+/// may see two, the pair is there.
+std::vector<EdgePair> edges_side_by_side(const Structure& structure, double within, double least_extent);
 
 /// Residuals of pairs that are nearer than `gap` (m), 0 for all others: what is missing over the gap. Distances are taken along
 /// the direction in which two edges are nearest as drawn, and the half-width of a section in a direction u is counted as

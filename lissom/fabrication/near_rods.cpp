@@ -6,14 +6,14 @@
 #include <set>
 #include <utility>
 
+#include "lissom/design/clearance.h"
 #include "lissom/fabrication/near_points.h"
 
 namespace lissom {
 
 namespace {
 
-constexpr double kDetour = 1.8;  // along the rods, against straight across between their axes
-constexpr double kStep = 0.5;    // between places looked at, of the thinner half-extent
+constexpr double kStep = 0.5;  // between places looked at, of the thinner half-extent
 
 struct Place {
   int piece = 0, order = 0;  // order: among the places of its piece
@@ -129,7 +129,7 @@ class Search {
     const double gap = distance - across;
     if (gap >= gap_) return;
     const bool joined =
-        way_between(a, b) <= kDetour * (a.station->reach(first.shape) + b.station->reach(second.shape) + gap_);
+        way_between(a, b) <= kJointDetour * (a.station->reach(first.shape) + b.station->reach(second.shape) + gap_);
     if (joined && a.piece == b.piece) return;
     Near& near = near_[{a.piece, b.piece}][a.order];
     near.joined = near.joined || joined;
@@ -146,7 +146,7 @@ class Search {
       return first.closed ? std::min(way, first.length() - way) : way;
     }
     double least = INFINITY;
-    const double limit = 4 * kDetour * (reach_ + gap_);
+    const double limit = 4 * kJointDetour * (reach_ + gap_);
     for (const std::array<int, 2>& i : first.nodes) {
       const double to = std::abs(first.stations[i[1]].along - a.station->along);
       if (to > limit) continue;
