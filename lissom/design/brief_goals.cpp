@@ -1,11 +1,14 @@
 #include "lissom/design/brief_goals.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <utility>
+#include <variant>
 
 #include "lissom/design/brief_goal.h"
 #include "lissom/design/clearance.h"
+#include "lissom/design/kept_lengths.h"
 #include "lissom/design/parameter_goals.h"
 
 namespace lissom {
@@ -60,7 +63,16 @@ class Places {
   std::map<std::pair<int, int>, Wanted> wanted_;
 };
 
+bool moves_rest_shape(const Brief& brief) {
+  return std::any_of(brief.parameters.begin(), brief.parameters.end(),
+                     [](const ParameterBrief& p) { return std::holds_alternative<RestShapeBrief>(p.what); });
+}
+
 Status add_wishes(const Brief& brief, const BriefSpace& space, BriefGoals& result) {
+  if (moves_rest_shape(brief)) {
+    ParameterGoal lengths = make_kept_lengths(*space.base, *space.space);
+    if (lengths.rows.rows() > 0) result.wishes.push_back(std::move(lengths));
+  }
   if (brief.wishes.closeness > 0) {
     result.wishes.push_back(make_closeness(space.space->parameters(), space.space->start(), brief.wishes.closeness));
   }

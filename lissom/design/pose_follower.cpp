@@ -11,7 +11,7 @@ namespace {
 
 /// Of an attempt. What follows its prediction takes a handful; what takes more has lost its way, most often past a fold, and
 /// a shorter step costs less than to find out.
-constexpr int kMostIterations = 60;
+constexpr int kMostIterations = 25;
 
 }  // namespace
 
