@@ -74,4 +74,27 @@ std::vector<std::array<int, 2>> neighbours_along_rods(const RodControls& control
   return all;
 }
 
+OneSided one_sided_wishes(std::span<const ParameterGoal> wishes, const VecX& p, const VecX& scale) {
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> values;
+  for (const ParameterGoal& wish : wishes) {
+    if (wish.kind == GoalKind::kReach) continue;
+    const double sign = (wish.kind == GoalKind::kAtMost ? 1 : -1) * std::sqrt(wish.weight);
+    VecX deviation = wish.rows * (p - wish.target);
+    if (wish.level.size() > 0) deviation -= wish.level;
+    const int first = static_cast<int>(values.size());
+    for (const double d : deviation) values.push_back(sign * d);
+    for (int c = 0; c < wish.rows.outerSize(); ++c) {
+      for (SparseMatrix::InnerIterator it(wish.rows, c); it; ++it) {
+        entries.emplace_back(first + static_cast<int>(it.row()), c, sign * it.value() * scale[c]);
+      }
+    }
+  }
+  OneSided made;
+  made.value = Eigen::Map<const VecX>(values.data(), static_cast<Eigen::Index>(values.size()));
+  made.rows.resize(made.value.size(), p.size());
+  made.rows.setFromTriplets(entries.begin(), entries.end());
+  return made;
+}
+
 }  // namespace lissom

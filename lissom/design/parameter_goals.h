@@ -7,6 +7,7 @@
 
 #include "lissom/design/goal.h"
 #include "lissom/design/parameter.h"
+#include "lissom/design/reduced_problem.h"
 #include "lissom/design/rod_controls.h"
 
 namespace lissom {
@@ -24,5 +25,8 @@ ParameterGoal make_smoothness(std::span<const Parameter> parameters, std::span<c
 /// parameter per control in their order: {0, size} for both radii of NetworkRadii. Pairs of parameters, without repeats.
 std::vector<std::array<int, 2>> neighbours_along_rods(const RodControls& controls, const Structure& structure,
                                                       std::span<const int> first);
+
+/// Those of the wishes that are one-sided, at p (m), over a step in units of `scale` (m).
+OneSided one_sided_wishes(std::span<const ParameterGoal> wishes, const VecX& p, const VecX& scale);
 
 }  // namespace lissom

@@ -33,6 +33,12 @@ struct DesignEffort {
   int back_solves = 0;     ///< right-hand sides
 };
 
+/// Residuals that are the positive part of something linear, max(0, value + rows v) at the point moved by v.
+struct OneSided {
+  SparseMatrix rows;
+  VecX value;
+};
+
 class ReducedProblem {
  public:
   virtual ~ReducedProblem() = default;
@@ -55,6 +61,11 @@ class ReducedProblem {
   /// J v and J'w for w over residuals.
   virtual VecX jacobian_times(const VecX& v) = 0;
   virtual VecX jacobian_transposed_times(const VecX& w) = 0;
+  /// Those of the residuals that are one-sided everywhere, not at the point alone; r and J have them too, as they are there.
+  virtual const OneSided& one_sided() const {
+    static const OneSided none;
+    return none;
+  }
   /// Exact Hessian of h times v.
   virtual VecX hessian_times(const VecX& v) = 0;
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "lissom/design/box_cg.h"
+#include "lissom/design/one_sided_cg.h"
 #include "lissom/design/step_method.h"
 
 namespace lissom {
@@ -80,8 +81,9 @@ class ByProducts final : public StepMethod {
     const VecX g = s.cwiseProduct(problem.gradient());
     const VecX low = size.cwiseProduct(lower), high = size.cwiseProduct(upper);
     const double share = tolerance / std::max(problem.gradient().cwiseAbs().maxCoeff(), 1e-300);
+    const OneSided sided{problem.one_sided().rows * s.asDiagonal(), problem.one_sided().value};
     BoxCgSolution model =
-        solve_box_cg(times, g, low, high, {}, share * g.cwiseAbs().maxCoeff(), work.options.max_products);
+        solve_one_sided_cg(times, g, sided, low, high, share * g.cwiseAbs().maxCoeff(), work.options.max_products);
     for (Eigen::Index i = 0; i < s.size(); ++i) {
       const double x = model.x[i];
       model.x[i] = x == low[i] ? lower[i] : x == high[i] ? upper[i] : std::clamp(s[i] * x, lower[i], upper[i]);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lissom/core/assert.h"
+#include "lissom/design/parameter_goals.h"
 
 namespace lissom {
 
@@ -152,6 +153,7 @@ void StructureProblem::settle_point() {
   for_poses([&](int k) { poses_[static_cast<std::size_t>(k)]->stand_at_point(design_); });
   wish_rows_.clear();
   for (const ParameterGoal& wish : wishes_) wish_rows_.push_back(wish_jacobian(wish, p_) * scale_.asDiagonal());
+  one_sided_ = one_sided_wishes(wishes_, p_, scale_);
   residual_ = residual_at(design_, p_, states);
   value_ = 0.5 * residual_.squaredNorm();
 }

@@ -72,6 +72,7 @@ class StructureProblem final : public ReducedProblem {
   const MatX& gram() override;
   VecX jacobian_times(const VecX& v) override;
   VecX jacobian_transposed_times(const VecX& w) override;
+  const OneSided& one_sided() const override { return one_sided_; }
   VecX hessian_times(const VecX& v) override;
   Attempt attempt(const VecX& x) override;
   const VecX& attempted_residual() const override { return attempted_residual_; }
@@ -121,6 +122,7 @@ class StructureProblem final : public ReducedProblem {
   std::vector<PoseLinearization> linear_;
   std::vector<MatX> dense_;              // per pose, by x
   std::vector<SparseMatrix> wish_rows_;  // of the residual, by x
+  OneSided one_sided_;                   // wishes of that kind, by x
   std::optional<VecX> gradient_;
   std::optional<MatX> gram_;
   DesignEffort effort_;
