@@ -52,8 +52,10 @@ async function finish(closed: boolean, role: RodRole): Promise<void> {
   const done = clicks;
   if (done.length < 2 || lookOnly.peek()) return;
   const curve = done.length > 2 ? 'spline' : 'straight';
+  // The line stays to be seen until the engine has answered; whatever is clicked or pressed from now on is the next rod's.
+  clicks = [];
   await edit({ name: 'add_rod', through: done.map((c) => c.through), curve, role, closed: closed && done.length > 2 });
-  if (clicks === done) clear();
+  if (clicks.length === 0 && cursor) redraw();
 }
 
 function down(pointer: PlanPointer, role: RodRole): void {
@@ -72,8 +74,9 @@ function down(pointer: PlanPointer, role: RodRole): void {
 
 function key(event: KeyboardEvent, role: RodRole): boolean {
   if (event.key === 'Enter') {
+    const drawing = clicks.length > 0;
     void finish(false, role);
-    return clicks.length > 0;
+    return drawing;
   }
   if ((event.key !== 'Escape' && event.key !== 'Backspace') || clicks.length === 0) return false;
   clicks = clicks.slice(0, -1);

@@ -107,6 +107,10 @@ const states = [
     await page.getByRole('list', { name: 'What will change most' }).waitFor();
   }],
   ['let go', async (page) => button(page, 'Cancel').click()],
+  ['held still', async (page) => {
+    await button(page, 'Hold still').click();
+    await page.getByText(/parts? stays?/).waitFor();
+  }, async (page) => button(page, 'Let all go').click()],
   ['make', (page) => mode(page, 'Make')],
   ['written', async (page) => {
     await button(page, /^Write .*svg/).click();

@@ -155,6 +155,18 @@ describe('drawing', () => {
     expect(sketch.value.points).toHaveLength(0);
   });
 
+  test('keys after Enter are not for the rod that is under way to the engine', async () => {
+    const tool = toolOf('rod');
+    tool.start?.();
+    click(tool, 20, 20);
+    click(tool, 30, 24);
+    key(tool, 'Enter');
+    expect(key(tool, 'Escape')).toBe(false);
+    click(tool, 40, 24);
+    await rest();
+    expect(sketch.value.points).toEqual([[40, 24]]);
+  });
+
   test('Escape takes back one click after the other, then leaves', () => {
     const tool = toolOf('rod');
     tool.start?.();
