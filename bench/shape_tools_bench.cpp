@@ -82,6 +82,7 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
     if (preview == nullptr) return (void)std::fprintf(stderr, "%s: no preview\n", own.c_str());
     row(own, "misses the pull by, linear", 1e3 * preview->answer.rms, "mm");
     row(own, "rods turn by", 57.29577951308232 * preview->turn, "deg");
+    if (!preview->lags.empty()) std::printf("%s\tstays behind the pull: %s\n", own.c_str(), preview->lags.c_str());
     const double begin = now_ms();
     const auto fit = std::move(ShapeFit::make(response, {}, handle.value().target(), context)).value();
     const double before = fit->distance();

@@ -102,17 +102,15 @@ MatX constraint_response(const HardConstraints& constraints, const VecX& places,
 ConstraintProjection::ConstraintProjection(const MatX& k) {
   if (k.rows() == 0) return;
   // Lengths and plain numbers meet here: each row counts by itself.
-  MatX rows = k;
-  const double largest = k.rowwise().norm().maxCoeff();
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const double norm = rows.row(i).norm();
-    if (norm > kNoSingularValue * largest) rows.row(i) /= norm;
-  }
-  const Eigen::BDCSVD<MatX> svd(rows, Eigen::ComputeThinV);
+  const VecX norms = k.rowwise().norm();
+  const VecX weights = (norms.array() > kNoSingularValue * norms.maxCoeff()).select(norms.cwiseInverse(), 1);
+  const Eigen::BDCSVD<MatX> svd(weights.asDiagonal() * k, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VecX& values = svd.singularValues();
   Eigen::Index rank = 0;
   while (rank < values.size() && values[rank] > kNoSingularValue * values[0] && values[rank] > 0) ++rank;
   range_ = svd.matrixV().leftCols(rank);
+  to_range_ =
+      values.head(rank).cwiseInverse().asDiagonal() * svd.matrixU().leftCols(rank).transpose() * weights.asDiagonal();
 }
 
 void ConstraintProjection::apply(MatX& x) const {
@@ -123,5 +121,7 @@ VecX ConstraintProjection::of(const VecX& v) const {
   if (range_.cols() == 0) return v;
   return v - range_ * (range_.transpose() * v);
 }
+
+VecX ConstraintProjection::least_change(const VecX& values) const { return range_ * (to_range_ * values); }
 
 }  // namespace lissom

@@ -40,10 +40,13 @@ class ConstraintProjection {
   /// In place, over rows of a vector or matrix (m x any).
   void apply(MatX& x) const;
   VecX of(const VecX& v) const;
+  /// The smallest x for which K x comes nearest to `values`.
+  VecX least_change(const VecX& values) const;
   int rank() const { return static_cast<int>(range_.cols()); }
 
  private:
-  MatX range_;  ///< V, (m x rank), orthonormal
+  MatX range_;     ///< V, (m x rank), orthonormal
+  MatX to_range_;  ///< V' times the pseudoinverse of K, (rank x rows)
 };
 
 }  // namespace lissom

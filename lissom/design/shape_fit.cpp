@@ -10,6 +10,9 @@ namespace lissom {
 
 namespace {
 
+// Of the forces, against that of shapes to look at: along soft motions a residual that is small enough to the eye is a long
+// way from rest, and steps are judged by less than that.
+constexpr double kFineness = 1e-2;
 constexpr double kTiedScale = 0.01;  // what a parameter that leaves its tie by one scale counts, as a share of the size
 
 }  // namespace
@@ -23,6 +26,7 @@ Result<std::unique_ptr<ShapeFit>> ShapeFit::make(std::shared_ptr<const ShapeResp
   fit->design_ = *s.space().base();
   SolveOptions solve;
   solve.modes = 0;
+  solve.tolerance *= kFineness;
   Result<std::unique_ptr<PoseFollower>> follower = PoseFollower::make(fit->design_, s.start().pose, solve, context);
   if (!follower) return follower.error();
   fit->follower_ = std::move(follower).value();

@@ -14,6 +14,8 @@ namespace {
 constexpr int kPowerSteps = 30;
 constexpr int kMostStaying = 300;
 constexpr double kNearBound = 0.01;  // of the range
+constexpr int kMostSteps = 3, kMostHalvings = 4;
+constexpr double kArrived = 0.01;  // of the value: a step that gains less is the last
 
 BoundMap map_of(std::span<const Parameter> parameters) {
   VecX lower(static_cast<Eigen::Index>(parameters.size())), upper(lower.size());
@@ -45,30 +47,30 @@ TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstr
       pulled_(std::move(pulled)),
       map_(map_of(response_->parameters())) {
   const ShapeResponse& s = *response_;
-  u_ = map_.unbounded(map_.inside(s.p()));
-  slope_ = map_.slope(u_);
-  MatX k = constraint_response(constraints_, s.start().state.q, s.matrix());
-  k.array().rowwise() *= slope_.transpose().array();
-  projection_ = ConstraintProjection(k);
+  p_ = map_.inside(s.p());
+  u_ = map_.unbounded(p_);
+  k_ = constraint_response(constraints_, s.start().state.q, s.matrix());
   rows_.resize(3 * static_cast<Eigen::Index>(pulled_.size()), s.size());
   for (std::size_t i = 0; i < pulled_.size(); ++i) {
     rows_.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
         pulled_[i].weight * s.matrix().middleRows<3>(3 * pulled_[i].node);
   }
-  rows_.array().rowwise() *= slope_.transpose().array();
-  rows_.transposeInPlace();
-  projection_.apply(rows_);
-  MatX normal = MatX::Zero(s.size(), s.size());
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(rows_);
-  normal = MatX(normal.selfadjointView<Eigen::Lower>());
-  rows_.transposeInPlace();
-  if (stay > 0) add_stay(stay, normal);
-  const double least = kLeastChange * largest_eigenvalue(normal);
-  normal.diagonal().array() += least > 0 ? least : 1;
-  normal_.compute(normal);
+  gram_ = MatX::Zero(s.size(), s.size());
+  gram_.selfadjointView<Eigen::Lower>().rankUpdate(rows_.transpose());
+  if (stay > 0) gram_.selfadjointView<Eigen::Lower>().rankUpdate(stay_rows(stay).transpose());
+  gram_ = MatX(gram_.selfadjointView<Eigen::Lower>());
+  const VecX slope = map_.slope(u_);
+  largest_ = largest_eigenvalue(slope.asDiagonal() * gram_ * slope.asDiagonal());
+  for (int caution = 0; caution < static_cast<int>(kCautions.size()); ++caution) {
+    slopes_.push_back(slope_at(VecX::Zero(s.size()), least_change(caution)));
+  }
 }
 
-void TargetEdit::add_stay(double stay, MatX& normal) const {
+double TargetEdit::least_change(int caution) const {
+  return largest_ > 0 ? kCautions[static_cast<std::size_t>(caution)] * kLeastChange * largest_ : 1;
+}
+
+MatX TargetEdit::stay_rows(double stay) const {
   const ShapeResponse& s = *response_;
   std::vector<bool> is_pulled(static_cast<std::size_t>(s.system().layout.nodes()), false);
   double total = 0;
@@ -80,32 +82,77 @@ void TargetEdit::add_stay(double stay, MatX& normal) const {
   for (const int node : spread_nodes(s.system(), kMostStaying)) {
     if (!is_pulled[static_cast<std::size_t>(node)]) rest.push_back(node);
   }
-  if (rest.empty()) return;
-  const double weight = stay * std::sqrt(total / static_cast<double>(rest.size()));
+  const double weight = stay * std::sqrt(total / std::max(static_cast<double>(rest.size()), 1.0));
   MatX rows(3 * static_cast<Eigen::Index>(rest.size()), s.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
     rows.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = weight * s.matrix().middleRows<3>(3 * rest[i]);
   }
-  rows.array().rowwise() *= slope_.transpose().array();
-  rows.transposeInPlace();
-  projection_.apply(rows);
-  normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
-  normal = MatX(normal.selfadjointView<Eigen::Lower>());
+  return rows;
 }
 
-TargetEdit::Answer TargetEdit::answer(const VecX& wanted) const {
+TargetEdit::Trial TargetEdit::trial(const VecX& change, const VecX& pull, double least) const {
+  const VecX& scale = response_->scale();
+  Trial trial;
+  trial.change = change;
+  trial.x = (map_.parameters(u_ + scale.cwiseProduct(change)) - p_).cwiseQuotient(scale);
+  trial.value = trial.x.dot(0.5 * (gram_ * trial.x) - pull) + 0.5 * least * change.squaredNorm();
+  return trial;
+}
+
+TargetEdit::Slope TargetEdit::slope_at(const VecX& change, double least) const {
+  Slope at;
+  at.slope = map_.slope(u_ + response_->scale().cwiseProduct(change));
+  if (k_.rows() > 0) at.projection = ConstraintProjection(k_ * at.slope.asDiagonal());
+  MatX normal = at.slope.asDiagonal() * gram_ * at.slope.asDiagonal();
+  at.projection.apply(normal);
+  normal.transposeInPlace();
+  at.projection.apply(normal);
+  normal.diagonal().array() += least;
+  at.normal.compute(normal);
+  return at;
+}
+
+VecX TargetEdit::step(const Trial& from, const Slope& at, const VecX& pull, double least) const {
+  const VecX downhill = at.slope.cwiseProduct(pull - gram_ * from.x) - least * from.change;
+  return at.projection.of(at.normal.solve(at.projection.of(downhill)));
+}
+
+TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution) const {
   VecX weighted = wanted;
   double total = 0;
   for (std::size_t i = 0; i < pulled_.size(); ++i) {
     weighted.segment<3>(3 * static_cast<Eigen::Index>(i)) *= pulled_[i].weight;
     total += pulled_[i].weight * pulled_[i].weight;
   }
-  const VecX change = projection_.of(normal_.solve(rows_.transpose() * weighted));
+  const VecX pull = rows_.transpose() * weighted;
+  const double least = least_change(caution);
+  Trial best = trial(VecX::Zero(u_.size()), pull, least);
+  const Slope* at = &slopes_[static_cast<std::size_t>(caution)];
+  Slope later;
+  for (int i = 0;; ++i) {
+    const VecX d = step(best, *at, pull, least);
+    Trial next = trial(best.change + d, pull, least);
+    for (int halving = 0; halving < kMostHalvings && !(next.value < best.value); ++halving) {
+      next = trial(0.5 * (best.change + next.change), pull, least);
+    }
+    if (!(next.value < best.value)) break;
+    const double gained = best.value - next.value;
+    best = std::move(next);
+    if (i + 1 == kMostSteps || gained < kArrived * std::abs(best.value)) break;
+    later = slope_at(best.change, least);
+    at = &later;
+  }
+  // Bounds bend the way that leaves the constraints alone.
+  for (int i = 0; i < kMostSteps && k_.rows() > 0; ++i) {
+    const VecX slope = map_.slope(u_ + response_->scale().cwiseProduct(best.change));
+    const ConstraintProjection projection(k_ * slope.asDiagonal());
+    best = trial(best.change + projection.least_change(-k_ * best.x), pull, least);
+  }
   const ShapeResponse& s = *response_;
   Answer answer;
-  answer.p = map_.parameters(u_ + s.scale().cwiseProduct(change));
-  answer.dq = s.matrix() * slope_.cwiseProduct(change);
-  answer.rms = std::sqrt((rows_ * change - weighted).squaredNorm() / std::max(total, 1e-300));
+  answer.p = map_.parameters(u_ + s.scale().cwiseProduct(best.change));
+  answer.dq = s.matrix() * best.x;
+  answer.rms = std::sqrt((rows_ * best.x - weighted).squaredNorm() / std::max(total, 1e-300));
   return answer;
 }
 

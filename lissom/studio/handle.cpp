@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLeastWeight = 0.01;  // below it a node is not pulled
 constexpr double kStale = 0.35;        // rad: rods that turn further are not where a linear answer has them
+constexpr double kFurthest = 0.8;      // rad: previews in which rods would turn further stay behind the pull
 constexpr int kMostTargets = 700;      // nodes by which shapes are compared
 constexpr double kPulledWeight = 4;    // of pulled nodes among them
 
@@ -119,11 +120,19 @@ Result<Handle::Preview> Handle::move(const HandleMove& move) {
     const Vec3 arm = start.position(pulled[i].node) - centre_;
     preview.wanted.segment<3>(3 * static_cast<Eigen::Index>(i)) = turn * arm - arm + move.move;
   }
-  preview.answer = edit_->answer(preview.wanted);
-  if (!follow(preview)) {
+  std::string lags;
+  bool followed = false;
+  for (int caution = 0; caution < static_cast<int>(TargetEdit::kCautions.size()); ++caution) {
+    preview.answer = edit_->answer(preview.wanted, caution);
+    followed = follow(preview);
+    if (followed && preview.refused.empty() && preview.turn < kFurthest) break;
+    if (lags.empty()) lags = preview.refused.empty() ? "rods would have to turn too far at once" : preview.refused;
+  }
+  if (!followed) {
     return Error{ErrorCode::kRange, "/move_mm", "the shape cannot be pulled that far at once",
                  "pull less, accept, and go on"};
   }
+  preview.lags = std::move(lags);
   last_ = std::make_shared<const Preview>(preview);
   return preview;
 }
@@ -133,6 +142,8 @@ bool Handle::follow(Preview& preview) const {
   const auto pose = static_cast<std::size_t>(s.start().pose);
   preview.turn = largest_turn(s.system(), s.start().state, preview.answer.dq);
   preview.stale = preview.turn > kStale;
+  preview.refused.clear();
+  preview.residual = 0;
   Result<Design> design = s.space().at(preview.answer.p);
   Status renewed = design ? Status() : Status(design.error());
   if (renewed) {

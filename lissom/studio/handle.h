@@ -45,6 +45,7 @@ class Handle {
     double residual = 0;  ///< N, of the forces that are left there
     double turn = 0;      ///< rad, largest of a rod edge
     bool stale = false;   ///< it goes further than a linear answer is good for
+    std::string lags;     ///< why it stays further behind the pull than it would have to; empty: it does not
     std::string refused;  ///< why the design of the answer cannot be built; then there is no residual. Empty: it can
   };
   Result<Preview> move(const HandleMove& move);
@@ -59,7 +60,7 @@ class Handle {
   struct Probe;
   Handle() = default;
   void weigh();
-  /// The shape that goes with an answer, and what is to be said of it; false where there is none.
+  /// The shape that goes with an answer, and what is to be said of it; false where there is none. `preview`: wanted, answer.
   bool follow(Preview& preview) const;
 
   std::shared_ptr<const ShapeResponse> response_;

@@ -42,6 +42,10 @@ std::string handle_sentence(const Handle::Preview& preview) {
     return fmt::format("Pulled too far to be built as it is: {}. Pull less, or accept it and see how near it comes",
                        preview.refused);
   }
+  if (!preview.lags.empty()) {
+    return fmt::format("Follows as far as it can be built, {:.2f} mm behind the pull: {}. Accept it and go on",
+                       kMillimetres * preview.answer.rms, preview.lags);
+  }
   if (preview.stale) {
     return fmt::format("Pulled far: rods turn by {:.0f} degrees, more than a preview is good for. Accept it and go on",
                        preview.turn * 180 / std::numbers::pi);
