@@ -5,7 +5,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
-import { editKinds, RandomEdits, stepOf, type EditKind } from './random_edits';
+import { editKinds, RandomEdits, type EditKind } from './random_edits';
+import { stepOf } from './random_hands';
 import { Studio } from './studio_browser';
 
 const wanted = Number(process.env.LISSOM_EDITS ?? 200);
