@@ -31,25 +31,28 @@ VecX column_sizes(ReducedProblem& problem) {
   return largest > 0 ? VecX(size.cwiseMax(kLeastSize * largest)) : VecX::Ones(size.size());
 }
 
+/// Of the gradient, where the box leaves room.
+double largest_with_room(const VecX& g, const VecX& lower, const VecX& upper) {
+  double largest = 0;
+  for (int i = 0; i < g.size(); ++i) {
+    if (g[i] > 0 ? lower[i] < 0 : upper[i] > 0) largest = std::max(largest, std::abs(g[i]));
+  }
+  return largest;
+}
+
 class ByProducts final : public StepMethod {
  public:
   enum class Second { kExact, kGaussNewton };
   explicit ByProducts(Second second) : second_(second) {}
 
   StepEnd iterate(Iteration& work) const override {
-    ReducedProblem& problem = work.problem;
     OptimizerState& state = work.state;
-    const VecX& g = problem.gradient();
     VecX lower, upper;
     work.box(state.cap, lower, upper);
-    double left = 0;  // of the gradient, where the box leaves room
-    for (int i = 0; i < g.size(); ++i) {
-      if (g[i] > 0 ? lower[i] < 0 : upper[i] > 0) left = std::max(left, std::abs(g[i]));
-    }
     // The nearer the end, the more exactly: converges superlinearly, in the end quadratically, for few products before.
     const double share = std::min(work.options.newton_forcing, std::sqrt(work.record.gradient / state.first_gradient));
-    const BoxCgSolution model = second_ == Second::kExact ? exact_model(work, lower, upper, share * left)
-                                                          : gauss_newton_model(work, lower, upper, share * left);
+    const BoxCgSolution model = second_ == Second::kExact ? exact_model(work, lower, upper, share)
+                                                          : gauss_newton_model(work, lower, upper, share);
     work.record.hessian_products = model.products;
     const bool cut = model.negative_curvature || model.x.cwiseAbs().maxCoeff() >= state.cap * (1 - 1e-9);
     if (work.promises_too_little(model.decrease, cut ? Iteration::Cut::kCut : Iteration::Cut::kWhole)) {
@@ -62,8 +65,10 @@ class ByProducts final : public StepMethod {
   }
 
  private:
-  static BoxCgSolution exact_model(Iteration& work, const VecX& lower, const VecX& upper, double tolerance) {
+  /// `share`: of the gradient, to which its models are solved.
+  static BoxCgSolution exact_model(Iteration& work, const VecX& lower, const VecX& upper, double share) {
     ReducedProblem& problem = work.problem;
+    const double tolerance = share * largest_with_room(problem.gradient(), lower, upper);
     const MatX none;
     const bool gram = work.options.preconditioner == NewtonPreconditioner::kGram;
     const auto times = [&problem](const VecX& v) -> VecX { return problem.hessian_times(v); };
@@ -72,7 +77,7 @@ class ByProducts final : public StepMethod {
   }
 
   /// In parameters over whose scale all residuals change by about 1: radii and places of a rest shape may differ by decades.
-  static BoxCgSolution gauss_newton_model(Iteration& work, const VecX& lower, const VecX& upper, double tolerance) {
+  static BoxCgSolution gauss_newton_model(Iteration& work, const VecX& lower, const VecX& upper, double share) {
     ReducedProblem& problem = work.problem;
     const VecX size = column_sizes(problem), s = size.cwiseInverse();
     const auto times = [&](const VecX& v) -> VecX {
@@ -80,10 +85,9 @@ class ByProducts final : public StepMethod {
     };
     const VecX g = s.cwiseProduct(problem.gradient());
     const VecX low = size.cwiseProduct(lower), high = size.cwiseProduct(upper);
-    const double share = tolerance / std::max(problem.gradient().cwiseAbs().maxCoeff(), 1e-300);
+    const double tolerance = share * largest_with_room(g, low, high);
     const OneSided sided{problem.one_sided().rows * s.asDiagonal(), problem.one_sided().value};
-    BoxCgSolution model =
-        solve_one_sided_cg(times, g, sided, low, high, share * g.cwiseAbs().maxCoeff(), work.options.max_products);
+    BoxCgSolution model = solve_one_sided_cg(times, g, sided, low, high, tolerance, work.options.max_products);
     for (Eigen::Index i = 0; i < s.size(); ++i) {
       const double x = model.x[i];
       model.x[i] = x == low[i] ? lower[i] : x == high[i] ? upper[i] : std::clamp(s[i] * x, lower[i], upper[i]);
