@@ -86,7 +86,8 @@ class ByProducts final : public StepMethod {
     const VecX g = s.cwiseProduct(problem.gradient());
     const VecX low = size.cwiseProduct(lower), high = size.cwiseProduct(upper);
     const double tolerance = share * largest_with_room(g, low, high);
-    const OneSided sided{problem.one_sided().rows * s.asDiagonal(), problem.one_sided().value};
+    OneSided sided = problem.one_sided();
+    if (sided.value.size() > 0) sided.rows = sided.rows * s.asDiagonal();
     BoxCgSolution model = solve_one_sided_cg(times, g, sided, low, high, tolerance, work.options.max_products);
     for (Eigen::Index i = 0; i < s.size(); ++i) {
       const double x = model.x[i];
