@@ -27,7 +27,7 @@ const button = (name: string | RegExp) => page.getByRole('button', { name });
 async function picture(name: string): Promise<void> {
   if (pictures === '') return;
   await idle(page);
-  await page.mouse.move(2, 500);
+  await page.mouse.move(400, 18);
   // One picture of the screen after the last change.
   await page.waitForTimeout(1200);
   await page.screenshot({ path: join(pictures, `studio-${name}.png`) });
