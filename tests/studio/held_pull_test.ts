@@ -66,3 +66,18 @@ test.each([
   await idle(page);
   expect(studio.complaints).toEqual([]);
 });
+
+test('what is selected is held still by Shift+H while something else is pulled', async () => {
+  await page.mouse.click(...(await pixelOf(page, 'h3-r', 'shape')));
+  await page.keyboard.press('Shift+H');
+  await page.getByText('1 part stays').waitFor();
+  expect((await page.evaluate(() => window.lissomTest.selection())).points).toEqual([]);
+  await page.evaluate(() => window.lissomTest.clearLatencies());
+  await page.mouse.click(...(await pixelOf(page, 'f3-r', 'shape')));
+  await page.waitForFunction(() => window.lissomTest.pixelOfGrip('z') !== null);
+  await page.keyboard.type('gz3');
+  await expect.poll(async () => (await page.evaluate(() => window.lissomTest.latencies())).preview.length, { timeout: 30_000 }).toBeGreaterThan(0);
+  await page.getByRole('button', { name: 'Let all go' }).click();
+  await page.getByText('1 part stays').waitFor({ state: 'hidden' });
+  expect(studio.complaints).toEqual([]);
+});
