@@ -1,6 +1,5 @@
 #include "lissom/design/kept_lengths.h"
 
-#include <utility>
 #include <vector>
 
 #include "lissom/mechanics/rest_numbers.h"
@@ -43,8 +42,8 @@ ParameterGoal make_kept_lengths(const Design& base, const DesignSpace& space) {
   }
   SparseMatrix by_inputs(edges, RestInputs(structure).size());
   by_inputs.setFromTriplets(entries.begin(), entries.end());
-  SparseMatrix rows = by_inputs * jacobian.inputs;
-  if (rows.nonZeros() > 0) wish.rows = std::move(rows);
+  const SparseMatrix rows = by_inputs * jacobian.inputs;
+  if (rows.nonZeros() > 0) wish.rows = rows;
   return wish;
 }
 
