@@ -24,6 +24,8 @@ class BoundMap {
 
   /// p, moved to at least `share` of the range away from its bounds.
   VecX inside(const VecX& p, double share = 1e-3) const;
+  /// p, moved to the bounds where it is beyond them.
+  VecX clamped(const VecX& p) const { return p.cwiseMax(lower_).cwiseMin(upper_); }
 
  private:
   bool bounded(int i) const;

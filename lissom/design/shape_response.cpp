@@ -8,6 +8,8 @@ namespace lissom {
 
 namespace {
 
+constexpr int kSoftest = 4;
+
 VecX scales_of(std::span<const Parameter> parameters) {
   VecX scales(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i) scales[static_cast<Eigen::Index>(i)] = parameters[i].scale;
@@ -44,9 +46,12 @@ Result<std::shared_ptr<const ShapeResponse>> ShapeResponse::make(ShapeStart star
   made->scale_ = scales_of(made->space_->parameters());
   const Design& base = *made->space_->base();
   SolveOptions solve;
-  solve.modes = 0;
+  solve.modes = kSoftest;
   Result<std::unique_ptr<PoseFollower>> follower = PoseFollower::make(base, made->start_.pose, solve, context);
   if (!follower) return follower.error();
+  if (follower.value()->release(base, &made->start_.state).outcome == Outcome::kSettled) {
+    made->softest_ = follower.value()->attempted().modes;
+  }
   const PoseEnd end = follower.value()->restore(base, made->start_.state);
   if (end.outcome != Outcome::kSettled) {
     return Error{ErrorCode::kConflict, {}, "the shape is not stable: " + end.reason, "let it settle first"};

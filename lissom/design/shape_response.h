@@ -44,6 +44,9 @@ class ShapeResponse {
   /// d unknowns / d (p / scale), (unknowns x m), global axes, rigid motions pinned down.
   const MatX& matrix() const { return matrix_; }
 
+  /// Its softest motions, softest first.
+  const std::vector<Mode>& softest() const { return softest_; }
+
   /// The start moved by an increment of all unknowns; false where an edge would turn around.
   [[nodiscard]] bool moved(const VecX& dq, State& state) const { return advance(system(), start_.state, dq, state); }
 
@@ -55,6 +58,7 @@ class ShapeResponse {
   std::vector<PinnedNode> pins_;
   VecX p_, scale_;
   MatX matrix_;
+  std::vector<Mode> softest_;
 };
 
 /// d unknowns / d (p / scale) where a follower stands, pinned down at `state`.

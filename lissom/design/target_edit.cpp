@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kPowerSteps = 30;
 constexpr int kMostStaying = 300;
-constexpr double kNearBound = 0.01;  // of the range
+constexpr double kMostSoftness = 10;  // motions count up to so many times as much
+constexpr double kNearBound = 0.01;   // of the range
 constexpr int kMostSteps = 3, kMostHalvings = 4;
 constexpr double kArrived = 0.01;  // of the value: a step that gains less is the last
 
@@ -57,13 +58,34 @@ TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstr
   }
   gram_ = MatX::Zero(s.size(), s.size());
   gram_.selfadjointView<Eigen::Lower>().rankUpdate(rows_.transpose());
-  if (stay > 0) gram_.selfadjointView<Eigen::Lower>().rankUpdate(stay_rows(stay).transpose());
+  if (stay > 0) {
+    gram_.selfadjointView<Eigen::Lower>().rankUpdate(stay_rows(stay).transpose());
+    gram_.selfadjointView<Eigen::Lower>().rankUpdate(soft_rows(stay).transpose());
+  }
   gram_ = MatX(gram_.selfadjointView<Eigen::Lower>());
   const VecX slope = map_.slope(u_);
-  largest_ = largest_eigenvalue(slope.asDiagonal() * gram_ * slope.asDiagonal());
+  largest_ = largest_eigenvalue(normal_at(slope, ConstraintProjection(k_ * slope.asDiagonal())));
   for (int caution = 0; caution < static_cast<int>(kCautions.size()); ++caution) {
     slopes_.push_back(slope_at(VecX::Zero(s.size()), least_change(caution)));
   }
+}
+
+/// Amplitudes of the softest motions.
+MatX TargetEdit::soft_rows(double stay) const {
+  const ShapeResponse& s = *response_;
+  const std::vector<Mode>& softest = s.softest();
+  double total = 0;
+  for (const PulledNode& node : pulled_) total += node.weight * node.weight;
+  const int places = 3 * s.system().layout.nodes();
+  MatX rows(softest.size(), s.size());
+  for (std::size_t i = 0; i < softest.size(); ++i) {
+    const VecX shape = softest[i].shape.head(places);
+    const double softness = std::sqrt(softest.back().stiffness / std::max(softest[i].stiffness, 1e-300));
+    const double weight = std::min(softness, kMostSoftness) * stay * std::sqrt(total);
+    rows.row(static_cast<Eigen::Index>(i)) =
+        weight / shape.squaredNorm() * shape.transpose() * s.matrix().topRows(places);
+  }
+  return rows;
 }
 
 double TargetEdit::least_change(int caution) const {
@@ -99,14 +121,19 @@ TargetEdit::Trial TargetEdit::trial(const VecX& change, const VecX& pull, double
   return trial;
 }
 
+MatX TargetEdit::normal_at(const VecX& slope, const ConstraintProjection& projection) const {
+  MatX normal = slope.asDiagonal() * gram_ * slope.asDiagonal();
+  projection.apply(normal);
+  normal.transposeInPlace();
+  projection.apply(normal);
+  return normal;
+}
+
 TargetEdit::Slope TargetEdit::slope_at(const VecX& change, double least) const {
   Slope at;
   at.slope = map_.slope(u_ + response_->scale().cwiseProduct(change));
-  if (k_.rows() > 0) at.projection = ConstraintProjection(k_ * at.slope.asDiagonal());
-  MatX normal = at.slope.asDiagonal() * gram_ * at.slope.asDiagonal();
-  at.projection.apply(normal);
-  normal.transposeInPlace();
-  at.projection.apply(normal);
+  at.projection = ConstraintProjection(k_ * at.slope.asDiagonal());
+  MatX normal = normal_at(at.slope, at.projection);
   normal.diagonal().array() += least;
   at.normal.compute(normal);
   return at;
@@ -117,7 +144,7 @@ VecX TargetEdit::step(const Trial& from, const Slope& at, const VecX& pull, doub
   return at.projection.of(at.normal.solve(at.projection.of(downhill)));
 }
 
-TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution) const {
+TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution, double share) const {
   VecX weighted = wanted;
   double total = 0;
   for (std::size_t i = 0; i < pulled_.size(); ++i) {
@@ -150,9 +177,10 @@ TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution) const {
   }
   const ShapeResponse& s = *response_;
   Answer answer;
-  answer.p = map_.parameters(u_ + s.scale().cwiseProduct(best.change));
-  answer.dq = s.matrix() * best.x;
-  answer.rms = std::sqrt((rows_ * best.x - weighted).squaredNorm() / std::max(total, 1e-300));
+  const VecX x = share * best.x;
+  answer.p = map_.clamped(s.p() + s.scale().cwiseProduct(x));
+  answer.dq = s.matrix() * x;
+  answer.rms = std::sqrt((rows_ * x - weighted).squaredNorm() / std::max(total, 1e-300));
   return answer;
 }
 

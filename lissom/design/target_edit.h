@@ -25,10 +25,11 @@ class TargetEdit {
   /// `kLeastChange` times the largest eigenvalue of the normal matrix at the start.
   static constexpr double kLeastChange = 1e-4;
   /// Times which the least change may count more: the larger, the shorter is the way that the parameters go.
-  static constexpr std::array<double, 4> kCautions{1, 10, 100, 1000};
+  static constexpr std::array<double, 3> kCautions{1, 10, 100};
 
   /// `stay`: how much all that is not pulled wants to stay where it is, against the pull: 0 as in (6.5), where a soft mode of
-  /// the whole may answer to the pull at a single node.
+  /// the whole may answer to the pull at a single node. Motions that are softer than others count more, for of them a response
+  /// to first order foretells least.
   TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints, std::vector<PulledNode> pulled,
              double stay);
 
@@ -37,8 +38,9 @@ class TargetEdit {
     VecX dq;     ///< S times the change of p: of all unknowns, global axes
     double rms;  ///< m, weighted, by which pulled nodes miss where they are wanted, to first order
   };
-  /// `wanted`: m, (3 per pulled node): the displacements from the start. `caution`: index into kCautions.
-  Answer answer(const VecX& wanted, int caution = 0) const;
+  /// `wanted`: m, (3 per pulled node): the displacements from the start. `caution`: index into kCautions. `share`: in (0, 1], of
+  /// the way from the start to that answer.
+  Answer answer(const VecX& wanted, int caution = 0, double share = 1) const;
 
   const ShapeResponse& response() const { return *response_; }
   const std::shared_ptr<const ShapeResponse>& shared_response() const { return response_; }
@@ -63,6 +65,8 @@ class TargetEdit {
   VecX step(const Trial& from, const Slope& slope, const VecX& pull, double least) const;
   double least_change(int caution) const;
   MatX stay_rows(double stay) const;
+  MatX soft_rows(double stay) const;
+  MatX normal_at(const VecX& slope, const ConstraintProjection& projection) const;
 
   std::shared_ptr<const ShapeResponse> response_;
   HardConstraints constraints_;

@@ -16,9 +16,16 @@ namespace {
 
 constexpr double kLeastWeight = 0.01;  // below it a node is not pulled
 constexpr double kStale = 0.35;        // rad: rods that turn further are not where a linear answer has them
-constexpr double kFurthest = 0.8;      // rad: previews in which rods would turn further stay behind the pull
+constexpr double kFurthest = 0.5;      // rad: previews in which rods would turn further stay behind the pull
 constexpr int kMostTargets = 700;      // nodes by which shapes are compared
 constexpr double kPulledWeight = 4;    // of pulled nodes among them
+
+/// Answers to the same pull, each of which goes less far than the one before.
+struct Way {
+  int caution;
+  double share;
+};
+constexpr Way kWays[] = {{0, 1}, {1, 1}, {2, 1}, {2, 0.5}, {2, 0.25}, {2, 0.125}, {2, 0.0625}};
 
 /// 1 at the centre, 0 and flat at the radius.
 double falloff(double distance, double radius) {
@@ -122,8 +129,8 @@ Result<Handle::Preview> Handle::move(const HandleMove& move) {
   }
   std::string lags;
   bool followed = false;
-  for (int caution = 0; caution < static_cast<int>(TargetEdit::kCautions.size()); ++caution) {
-    preview.answer = edit_->answer(preview.wanted, caution);
+  for (const Way& way : kWays) {
+    preview.answer = edit_->answer(preview.wanted, way.caution, way.share);
     followed = follow(preview);
     if (followed && preview.refused.empty() && preview.turn < kFurthest) break;
     if (lags.empty()) lags = preview.refused.empty() ? "rods would have to turn too far at once" : preview.refused;

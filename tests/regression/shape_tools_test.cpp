@@ -168,6 +168,39 @@ TEST(ConstraintProjection, LeavesNothingOfRedundantRows) {
   EXPECT_LT((projection.of(v) - v).norm(), 1e-12);
 }
 
+TEST(ConstraintProjection, LeastChangeMeetsValuesThatCanBeMet) {
+  MatX k = MatX::Random(4, 12);
+  k.row(3) = k.row(0) - 2 * k.row(1);
+  const ConstraintProjection projection(k);
+  const VecX values = k * VecX::Random(12);
+  const VecX change = projection.least_change(values);
+  EXPECT_LT((k * change - values).norm(), 1e-12);
+  EXPECT_LT(projection.of(change).norm(), 1e-12);  // nothing in it that has no effect
+}
+
+/// Pulled far, so that bounds bend the way: constraints hold to first order all the same, and the shape is that of the
+/// parameters.
+TEST(TargetEdit, KeepsConstraintsWithinBounds) {
+  const Model model = samples::fabric_scene("butterfly");
+  const Released r(model, {node_of_point(*samples::open(model), "b1-l")});
+  const ShapeResponse& s = *r.response;
+  const TargetEdit edit(r.response, r.constraints, {{node_of_point(*r.design, "f3-l"), 1}}, 0.3);
+  const MatX k = constraint_response(r.constraints, s.start().state.q, s.matrix());
+  for (const double share : {0.5, 1.0}) {
+    const TargetEdit::Answer answer = edit.answer(Vec3(0, 0, 0.02), 0, share);
+    const VecX x = (answer.p - s.p()).cwiseQuotient(s.scale());
+    EXPECT_GT(x.cwiseAbs().maxCoeff(), 0.5);  // of a scale
+    EXPECT_LT((k * x).norm(), 1e-6 * k.norm() * x.norm());
+    EXPECT_LT((answer.dq - s.matrix() * x).norm(), 1e-9 * answer.dq.norm());
+    for (int i = 0; i < s.size(); ++i) {
+      EXPECT_GE(answer.p[i], s.parameters()[static_cast<std::size_t>(i)].lower);
+      EXPECT_LE(answer.p[i], s.parameters()[static_cast<std::size_t>(i)].upper);
+    }
+    EXPECT_LT(answer.rms, share < 1 ? 0.015 : 0.01);
+  }
+  EXPECT_EQ(edit.answer(Vec3::Zero()).p, s.p());
+}
+
 TEST(ShapeModes, KeepTheirPinsWhenAdopted) {
   Released probe(samples::fabric_scene("butterfly"), {});
   std::vector<int> pinned;
@@ -220,6 +253,26 @@ void pull(const std::string& scene, const char* point, const Vec3& move, double 
   for (Eigen::Index i = 0; i < fit->x().size(); ++i) {
     EXPECT_GE(fit->x()[i], fit->lower()[i]);
     EXPECT_LE(fit->x()[i], fit->upper()[i]);
+  }
+}
+
+/// The nose of the mask has short rods all around, whose triangles would turn over.
+TEST(Handle, StaysBehindAPullThatThePlanHasNoRoomFor) {
+  const Released r(samples::fabric_scene("mask"), {});
+  HandleGrip grip;
+  grip.nodes = {node_of_point(*r.design, "nose")};
+  grip.radius = 0.02;
+  Result<Handle> handle = Handle::make(r.response, {}, grip, {});
+  ASSERT_TRUE(handle.ok());
+  double missed = 0;
+  for (const double far : {0.001, 0.02}) {
+    const Result<Handle::Preview> preview = handle.value().move({.move = Vec3(0, 0, far)});
+    ASSERT_TRUE(preview.ok());
+    EXPECT_EQ(preview.value().lags.empty(), far < 0.01);
+    EXPECT_TRUE(preview.value().refused.empty()) << preview.value().refused;
+    EXPECT_TRUE(r.response->space().at(preview.value().answer.p).ok());
+    EXPECT_GT(preview.value().answer.rms, missed);
+    missed = preview.value().answer.rms;
   }
 }
 
