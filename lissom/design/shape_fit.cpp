@@ -13,7 +13,6 @@ namespace {
 // Of the forces, against that of shapes to look at: along soft motions a residual that is small enough to the eye is a long
 // way from rest, and steps are judged by less than that.
 constexpr double kFineness = 1e-2;
-constexpr double kTiedScale = 0.01;  // what a parameter that leaves its tie by one scale counts, as a share of the size
 
 }  // namespace
 
@@ -36,7 +35,7 @@ Result<std::unique_ptr<ShapeFit>> ShapeFit::make(std::shared_ptr<const ShapeResp
   }
   fit->state_ = s.start().state;
   fit->length_ = s.system().structure.size;
-  fit->x_ = s.p().cwiseQuotient(s.scale());
+  fit->start_ = fit->x_ = s.p().cwiseQuotient(s.scale());
   fit->lower_.resize(s.size());
   fit->upper_.resize(s.size());
   for (int i = 0; i < s.size(); ++i) {
@@ -44,18 +43,19 @@ Result<std::unique_ptr<ShapeFit>> ShapeFit::make(std::shared_ptr<const ShapeResp
     fit->lower_[i] = parameter.lower / parameter.scale;
     fit->upper_[i] = parameter.upper / parameter.scale;
   }
-  fit->residual_ = fit->residual_of(fit->state_, fit->x_);
+  fit->residual_ = fit->residual_of(fit->state_);
   fit->value_ = 0.5 * fit->residual_.squaredNorm();
   // The response at the start is known.
   fit->jacobian_ = fit->rows_of(s.matrix(), fit->state_);
   return fit;
 }
 
-VecX ShapeFit::residual_of(const State& state, const VecX& x) const {
+VecX ShapeFit::tied(const VecX& x) const { return (start_ + ties_.of(x - start_)).cwiseMax(lower_).cwiseMin(upper_); }
+
+VecX ShapeFit::residual_of(const State& state) const {
   const auto count = static_cast<Eigen::Index>(target_.nodes.size());
   const VecX violation = violations(constraints_, response_->start().state.q, state.q);
-  const Eigen::Index ties = constraints_.ties.rows();
-  VecX residual(3 * count + violation.size() + ties);
+  VecX residual(3 * count + violation.size());
   double total = 0;
   for (const double weight : target_.weights) total += weight;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -63,19 +63,14 @@ VecX ShapeFit::residual_of(const State& state, const VecX& x) const {
     const double weight = std::sqrt(target_.weights[static_cast<std::size_t>(i)] / total);
     residual.segment<3>(3 * i) = weight / length_ * (state.position(node) - target_.places.segment<3>(3 * node));
   }
-  residual.segment(3 * count, violation.size()) = std::sqrt(kConstraintWeight) / length_ * violation;
-  if (ties > 0) {
-    const VecX start = response_->p().cwiseQuotient(response_->scale());
-    residual.tail(ties) = std::sqrt(kConstraintWeight) * kTiedScale * (constraints_.ties * (x - start));
-  }
+  residual.tail(violation.size()) = std::sqrt(kConstraintWeight) / length_ * violation;
   return residual;
 }
 
 MatX ShapeFit::rows_of(const MatX& response, const State& state) const {
   const auto count = static_cast<Eigen::Index>(target_.nodes.size());
   const SparseRows constraint = constraint_jacobian(constraints_, state.q, static_cast<int>(response.rows()));
-  const Eigen::Index ties = constraints_.ties.rows();
-  MatX rows(3 * count + constraint.rows() + ties, response.cols());
+  MatX rows(3 * count + constraint.rows(), response.cols());
   double total = 0;
   for (const double weight : target_.weights) total += weight;
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -83,8 +78,11 @@ MatX ShapeFit::rows_of(const MatX& response, const State& state) const {
     const double weight = std::sqrt(target_.weights[static_cast<std::size_t>(i)] / total);
     rows.middleRows<3>(3 * i) = weight / length_ * response.middleRows<3>(3 * node);
   }
-  rows.middleRows(3 * count, constraint.rows()) = std::sqrt(kConstraintWeight) / length_ * (constraint * response);
-  if (ties > 0) rows.bottomRows(ties) = std::sqrt(kConstraintWeight) * kTiedScale * constraints_.ties;
+  rows.bottomRows(constraint.rows()) = std::sqrt(kConstraintWeight) / length_ * (constraint * response);
+  if (ties_.rank() == 0) return rows;
+  rows.transposeInPlace();
+  ties_.apply(rows);
+  rows.transposeInPlace();
   return rows;
 }
 
@@ -130,15 +128,16 @@ VecX ShapeFit::hessian_times(const VecX& v) { return jacobian().transpose() * (j
 
 Attempt ShapeFit::attempt(const VecX& x) {
   ++effort_.attempts;
-  attempted_x_ = x;
-  Result<Design> design = response_->space().applied(*response_->space().base(), x.cwiseProduct(response_->scale()));
+  attempted_x_ = tied(x);
+  Result<Design> design =
+      response_->space().applied(*response_->space().base(), attempted_x_.cwiseProduct(response_->scale()));
   if (!design) return {Outcome::kNoDesign, 0, design.error().text()};
   attempted_design_ = std::move(design).value();
   follower_->stand_at_point(design_);
   const PoseEnd end = follower_->attempt(attempted_design_);
   if (end.outcome != Outcome::kSettled) return {end.outcome, 0, end.reason};
   attempted_state_ = pinned_down(follower_->problem(), follower_->attempted().state, response_->pins());
-  attempted_residual_ = residual_of(attempted_state_, x);
+  attempted_residual_ = residual_of(attempted_state_);
   return {Outcome::kSettled, 0.5 * attempted_residual_.squaredNorm(), {}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The design whose equilibrium comes nearest to a target shape, with hard constraints as heavy penalties: result optimisation
-/// [mathematics (6.6)]. Shapes are pinned down before they are compared.
+/// [mathematics (6.6)]. Shapes are pinned down before they are compared. Ties of parameters are kept exactly: steps are projected.
 
 #include <memory>
 #include <optional>
@@ -24,7 +24,7 @@ struct ShapeTarget {
 class ShapeFit final : public ReducedProblem {
  public:
   /// How much more than a place that misses its target a constraint that is violated as much counts.
-  static constexpr double kConstraintWeight = 1e4;
+  static constexpr double kConstraintWeight = 1e3;
 
   /// Begins at the start of `response`. `context` has to outlive the fit.
   static Result<std::unique_ptr<ShapeFit>> make(std::shared_ptr<const ShapeResponse> response,
@@ -59,9 +59,14 @@ class ShapeFit final : public ReducedProblem {
 
  private:
   ShapeFit(std::shared_ptr<const ShapeResponse> response, HardConstraints constraints, ShapeTarget target)
-      : response_(std::move(response)), constraints_(std::move(constraints)), target_(std::move(target)) {}
+      : response_(std::move(response)),
+        constraints_(std::move(constraints)),
+        target_(std::move(target)),
+        ties_(constraints_.ties) {}
 
-  VecX residual_of(const State& state, const VecX& x) const;
+  /// The point nearest to x that keeps the ties, within the bounds.
+  VecX tied(const VecX& x) const;
+  VecX residual_of(const State& state) const;
   /// Rows of the Jacobian from a response matrix.
   MatX rows_of(const MatX& response, const State& state) const;
   const MatX& jacobian();
@@ -69,8 +74,9 @@ class ShapeFit final : public ReducedProblem {
   std::shared_ptr<const ShapeResponse> response_;
   HardConstraints constraints_;
   ShapeTarget target_;
+  ConstraintProjection ties_;
   std::unique_ptr<PoseFollower> follower_;
-  VecX lower_, upper_, x_, residual_, attempted_x_, attempted_residual_;
+  VecX lower_, upper_, start_, x_, residual_, attempted_x_, attempted_residual_;
   double value_ = 0, length_ = 1;  // m, size of the structure: residuals are shares of it
   Design design_, attempted_design_;
   State state_, attempted_state_;

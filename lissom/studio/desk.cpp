@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostKeptShapes = 200;
-constexpr double kBetweenSaves = 4;  // s, of side files
+constexpr std::size_t kMostKeptShapes = 50;  // of more steps the history has no models at hand
+constexpr double kBetweenSaves = 4;          // s, of side files
 
 }  // namespace
 
