@@ -57,7 +57,7 @@ test.each([
   await idle(page);
   const fit = await page.evaluate(() => window.lissomTest.fit() as Fit);
   console.log(`${point} ${typed}: ${fit.before_mm.toFixed(3)} to ${fit.after_mm.toFixed(3)} mm, constraints off by ${fit.constraint_mm.toFixed(4)} mm, ${took.toFixed(1)} s`);
-  expect(fit.after_mm).toBeLessThan(fit.before_mm);
+  expect(fit.after_mm).toBeLessThan(0.2 * fit.before_mm);
   expect(fit.constraint_mm).toBeLessThanOrEqual(mostOff);
   const verdict = await page.evaluate(() => window.lissomTest.verdict() as { name: string });
   expect(verdict.name).toBe('stable');

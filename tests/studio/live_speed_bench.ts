@@ -86,6 +86,7 @@ for (const { name, moved, pulled } of designs) {
   test(name, async () => {
     studio = await Studio.start(name);
     const page = await studio.open();
+    await page.waitForFunction(() => window.lissomTest.latencies()['first picture'].length > 0);
     row(name, 'first picture', (await latencies(page))['first picture']);
     await edit(page, name, moved);
     await pull(page, name, pulled);
