@@ -49,8 +49,11 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
   const double cell = std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells});
   const auto number = [&](double x, double from) { return static_cast<int>(std::floor((x - from) / cell)); };
   std::vector<std::array<int, 3>> entries;  // column, row, segment
+  std::vector<Vec2> lowest, highest;        // of each segment
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Vec2 from = start(k).cwiseMin(end(k)).array() - distance, to = start(k).cwiseMax(end(k)).array() + distance;
+    lowest.push_back(start(k).cwiseMin(end(k)));
+    highest.push_back(start(k).cwiseMax(end(k)));
+    const Vec2 from = lowest[k].array() - distance, to = highest[k].array() + distance;
     for (int x = number(from.x(), low.x()); x <= number(to.x(), low.x()); ++x) {
       for (int y = number(from.y(), low.y()); y <= number(to.y(), low.y()); ++y) {
         entries.push_back({x, y, static_cast<int>(k)});
@@ -59,16 +62,19 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
   }
   std::sort(entries.begin(), entries.end());
   const auto boxes_apart = [&](std::size_t a, std::size_t b) {
-    const Vec2 gap = start(a).cwiseMin(end(a)).cwiseMax(start(b).cwiseMin(end(b))) -
-                     start(a).cwiseMax(end(a)).cwiseMin(start(b).cwiseMax(end(b)));
-    return gap.maxCoeff() > distance;
+    return (lowest[a].cwiseMax(lowest[b]) - highest[a].cwiseMin(highest[b])).maxCoeff() > distance;
+  };
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return segments[a][0] == segments[b][0] || segments[a][0] == segments[b][1] || segments[a][1] == segments[b][0] ||
+           segments[a][1] == segments[b][1];
   };
   std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     for (std::size_t j = i + 1; j < entries.size(); ++j) {
       if (entries[j][0] != entries[i][0] || entries[j][1] != entries[i][1]) break;
       const auto a = static_cast<std::size_t>(entries[i][2]), b = static_cast<std::size_t>(entries[j][2]);
-      if (boxes_apart(a, b) || segment_distance(start(a), end(a), start(b), end(b)) > distance) continue;
+      if (boxes_apart(a, b)) continue;
+      if (!joined(a, b) && segment_distance(start(a), end(a), start(b), end(b)) > distance) continue;
       pairs.push_back({entries[i][2], entries[j][2]});
     }
   }

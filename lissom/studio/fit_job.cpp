@@ -19,7 +19,8 @@ constexpr int kMostIterations = 25;
 constexpr double kNearEnough = 0.05;  // of the distance at the start
 constexpr double kTooLittle = 0.02;   // of the value: gaining less, three times in a row, is arriving
 constexpr int kMostIdle = 3;
-constexpr double kNearBound = 1e-6;  // of the range
+constexpr double kNear = 0.1, kLittle = 0.2;  // the same where one time is enough, for somebody waits
+constexpr double kNearBound = 1e-6;           // of the range
 
 std::vector<std::string> at_bounds(const ShapeFit& fit) {
   std::vector<std::string> names;
@@ -56,12 +57,14 @@ std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
   options.first_cap = 20;  // the step was looked at before it was accepted
   options.max_halvings = 5;
   Optimizer optimizer(fit, options);
-  tell({0, fit.distance(), fit.value()});
+  const double start = fit.distance();
+  tell({0, start, fit.value()});
   for (int iteration = 1, idle = 0; idle < kMostIdle; ++iteration) {
     const double before = fit.value();
     if (!optimizer.step(context)) return optimizer.state().verdict;
     tell({iteration, fit.distance(), fit.value()});
     if (optimizer.state().verdict || context.cancelled()) return optimizer.state().verdict;
+    if (fit.distance() < kNear * start && before - fit.value() < kLittle * before) return DesignVerdict::kGoodEnough;
     if (fit.value() < before) idle = before - fit.value() < kTooLittle * before ? idle + 1 : 0;
   }
   return DesignVerdict::kConverged;

@@ -47,6 +47,9 @@ class Handle {
     bool stale = false;   ///< it goes further than a linear answer is good for
     std::string lags;     ///< why it stays further behind the pull than it would have to; empty: it does not
     std::string refused;  ///< why the design of the answer cannot be built; then there is no residual. Empty: it can
+
+    /// It is time to accept and to go on from there.
+    bool far() const { return stale || !lags.empty(); }
   };
   Result<Preview> move(const HandleMove& move);
   /// Of the last move; null before.

@@ -208,7 +208,7 @@ Json ShapeTools::handle_event() const {
   event["center_mm"] = {centre.x(), centre.y(), centre.z()};
   event["radius_mm"] = kMillimetres * handle_->grip().radius;
   if (const Handle::Preview* last = handle_->last(); last != nullptr) {
-    event["stale"] = last->stale;
+    event["stale"] = last->far();
     event["sentence"] = handle_sentence(*last);
   }
   return event;
@@ -217,7 +217,7 @@ Json ShapeTools::handle_event() const {
 Result<Json> ShapeTools::move_handle(const HandleMove& move) {
   if (!handle_) return kNoHandle;
   const auto begin = std::chrono::steady_clock::now();
-  const bool was_stale = handle_->last() != nullptr && handle_->last()->stale;
+  const bool was_far = handle_->last() != nullptr && handle_->last()->far();
   const Result<Handle::Preview> preview = handle_->move(move);
   if (!preview) return preview.error();
   const Handle::Preview& answer = preview.value();
@@ -247,13 +247,13 @@ Result<Json> ShapeTools::move_handle(const HandleMove& move) {
                  {"topology", desk_.shape().topology()},
                  {"drag", 0},
                  {"residual_n", answer.refused.empty() ? Json(answer.residual) : Json(nullptr)},
-                 {"stale", answer.stale},
+                 {"stale", answer.far()},
                  {"milliseconds", milliseconds_since(begin)},
                  {"changes", std::move(changes)},
                  {"rms_mm", kMillimetres * answer.answer.rms}};
   desk_.pages().show_all(places_pack(std::move(header), response.system(), answer.state, target),
                          StudioMessage::Lane::kPreview);
-  if (was_stale != answer.stale) desk_.pages().tell_all(handle_event());
+  if (was_far != answer.far()) desk_.pages().tell_all(handle_event());
   return Json{{"milliseconds", milliseconds_since(begin)}};
 }
 

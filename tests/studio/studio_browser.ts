@@ -20,7 +20,9 @@ const tool = process.env.LISSOM_CLI ?? join(root, 'build/release/lissom');
 /** A built page to use instead of the one in the tool, while working on the page. */
 const otherPage = process.env.LISSOM_STUDIO_PAGE ?? '';
 
-const flags = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+// As on a machine without a graphics card: the browser puts its pages together by itself, and SwiftShader draws WebGL alone.
+// (With --use-angle=swiftshader it would put pages together through SwiftShader, too, which takes three times as long.)
+const flags = ['--no-sandbox', '--enable-unsafe-swiftshader'];
 // A page that comes from elsewhere than the server has no network of its own, and may not reach the loopback.
 if (otherPage !== '') flags.push('--disable-features=LocalNetworkAccessChecks');
 
