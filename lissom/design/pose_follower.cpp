@@ -28,8 +28,8 @@ Result<std::unique_ptr<PoseFollower>> PoseFollower::make(const Design& design, i
 
 Status PoseFollower::renew(const Design& design) {
   at_point_ = false;
-  const Status renewed = renew_numbers(design.model, pose_of(design), "/poses/" + std::to_string(pose_), design.system,
-                                       system_, *problem_);
+  Status renewed = renew_numbers(design.model, pose_of(design), "/poses/" + std::to_string(pose_), design.system,
+                                 system_, *problem_);
   if (renewed) solver_->renew_terms();
   return renewed;
 }

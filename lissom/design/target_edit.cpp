@@ -15,6 +15,7 @@ constexpr int kPowerSteps = 30;
 constexpr int kMostStaying = 300;
 constexpr double kMostSoftness = 10;  // motions count up to so many times as much
 constexpr double kNearBound = 0.01;   // of the range
+constexpr double kMoves = 0.01;  // mean square share of a motion in places: below it rods only turn about themselves
 constexpr int kMostSteps = 3, kMostHalvings = 4;
 constexpr double kArrived = 0.01;  // of the value: a step that gains less is the last
 
@@ -77,13 +78,14 @@ MatX TargetEdit::soft_rows(double stay) const {
   double total = 0;
   for (const PulledNode& node : pulled_) total += node.weight * node.weight;
   const int places = 3 * s.system().layout.nodes();
-  MatX rows(softest.size(), s.size());
+  MatX rows = MatX::Zero(static_cast<Eigen::Index>(softest.size()), s.size());
   for (std::size_t i = 0; i < softest.size(); ++i) {
     const VecX shape = softest[i].shape.head(places);
-    const double softness = std::sqrt(softest.back().stiffness / std::max(softest[i].stiffness, 1e-300));
+    const double moves = shape.squaredNorm();
+    if (moves < kMoves * s.system().layout.nodes()) continue;
+    const double softness = std::sqrt(std::max(softest.back().stiffness, 0.0) / std::max(softest[i].stiffness, 1e-300));
     const double weight = std::min(softness, kMostSoftness) * stay * std::sqrt(total);
-    rows.row(static_cast<Eigen::Index>(i)) =
-        weight / shape.squaredNorm() * shape.transpose() * s.matrix().topRows(places);
+    rows.row(static_cast<Eigen::Index>(i)) = weight / moves * shape.transpose() * s.matrix().topRows(places);
   }
   return rows;
 }
