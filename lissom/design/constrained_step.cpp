@@ -1,6 +1,5 @@
 #include "lissom/design/constrained_step.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <utility>
 
@@ -35,8 +34,7 @@ Result<ConstrainedStep> constrained_step(const ShapeResponse& response, const Ha
   }
   const VecX start = response.p().cwiseQuotient(response.scale());
   const MatX k = constraint_response(constraints, response.start().state.q, response.matrix());
-  Eigen::CompleteOrthogonalDecomposition<MatX> inverse;
-  if (k.rows() > 0) inverse.compute(k);
+  const ConstraintProjection projection(k);
   const int own = constraints.size();
   std::string reason;
   double share = 1;
@@ -68,7 +66,7 @@ Result<ConstrainedStep> constrained_step(const ShapeResponse& response, const Ha
       if (constraints.ties.rows() > 0) c.tail(constraints.ties.rows()) = constraints.ties * (x - start);
       step.violation = own > 0 ? c.head(own).cwiseAbs().maxCoeff() : 0;
       if (k.rows() == 0 || step.violation <= tolerance || correction == kMostCorrections) break;
-      x = clipped(space.parameters(), x - inverse.solve(c));
+      x = clipped(space.parameters(), x - projection.least_change(c));
     }
     if (good) return step;
   }

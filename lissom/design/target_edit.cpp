@@ -49,6 +49,7 @@ TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstr
       pulled_(std::move(pulled)),
       map_(map_of(response_->parameters())) {
   const ShapeResponse& s = *response_;
+  for (const PulledNode& node : pulled_) total_ += node.weight * node.weight;
   p_ = map_.inside(s.p());
   u_ = map_.unbounded(p_);
   k_ = constraint_response(constraints_, s.start().state.q, s.matrix());
@@ -75,8 +76,6 @@ TargetEdit::TargetEdit(std::shared_ptr<const ShapeResponse> response, HardConstr
 MatX TargetEdit::soft_rows(double stay) const {
   const ShapeResponse& s = *response_;
   const std::vector<Mode>& softest = s.softest();
-  double total = 0;
-  for (const PulledNode& node : pulled_) total += node.weight * node.weight;
   const int places = 3 * s.system().layout.nodes();
   MatX rows = MatX::Zero(static_cast<Eigen::Index>(softest.size()), s.size());
   for (std::size_t i = 0; i < softest.size(); ++i) {
@@ -84,7 +83,7 @@ MatX TargetEdit::soft_rows(double stay) const {
     const double moves = shape.squaredNorm();
     if (moves < kMoves * s.system().layout.nodes()) continue;
     const double softness = std::sqrt(std::max(softest.back().stiffness, 0.0) / std::max(softest[i].stiffness, 1e-300));
-    const double weight = std::min(softness, kMostSoftness) * stay * std::sqrt(total);
+    const double weight = std::min(softness, kMostSoftness) * stay * std::sqrt(total_);
     rows.row(static_cast<Eigen::Index>(i)) = weight / moves * shape.transpose() * s.matrix().topRows(places);
   }
   return rows;
@@ -97,16 +96,12 @@ double TargetEdit::least_change(int caution) const {
 MatX TargetEdit::stay_rows(double stay) const {
   const ShapeResponse& s = *response_;
   std::vector<bool> is_pulled(static_cast<std::size_t>(s.system().layout.nodes()), false);
-  double total = 0;
-  for (const PulledNode& node : pulled_) {
-    is_pulled[static_cast<std::size_t>(node.node)] = true;
-    total += node.weight * node.weight;
-  }
+  for (const PulledNode& node : pulled_) is_pulled[static_cast<std::size_t>(node.node)] = true;
   std::vector<int> rest;
   for (const int node : spread_nodes(s.system(), kMostStaying)) {
     if (!is_pulled[static_cast<std::size_t>(node)]) rest.push_back(node);
   }
-  const double weight = stay * std::sqrt(total / std::max(static_cast<double>(rest.size()), 1.0));
+  const double weight = stay * std::sqrt(total_ / std::max(static_cast<double>(rest.size()), 1.0));
   MatX rows(3 * static_cast<Eigen::Index>(rest.size()), s.size());
   for (std::size_t i = 0; i < rest.size(); ++i) {
     rows.middleRows<3>(3 * static_cast<Eigen::Index>(i)) = weight * s.matrix().middleRows<3>(3 * rest[i]);
@@ -146,14 +141,20 @@ VecX TargetEdit::step(const Trial& from, const Slope& at, const VecX& pull, doub
   return at.projection.of(at.normal.solve(at.projection.of(downhill)));
 }
 
-TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution, double share) const {
+VecX TargetEdit::weighted(const VecX& wanted) const {
   VecX weighted = wanted;
-  double total = 0;
   for (std::size_t i = 0; i < pulled_.size(); ++i) {
     weighted.segment<3>(3 * static_cast<Eigen::Index>(i)) *= pulled_[i].weight;
-    total += pulled_[i].weight * pulled_[i].weight;
   }
-  const VecX pull = rows_.transpose() * weighted;
+  return weighted;
+}
+
+double TargetEdit::miss(const VecX& x, const VecX& weighted) const {
+  return std::sqrt((rows_ * x - weighted).squaredNorm() / std::max(total_, 1e-300));
+}
+
+TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution) const {
+  const VecX aims = weighted(wanted), pull = rows_.transpose() * aims;
   const double least = least_change(caution);
   Trial best = trial(VecX::Zero(u_.size()), pull, least);
   const Slope* at = &slopes_[static_cast<std::size_t>(caution)];
@@ -178,12 +179,13 @@ TargetEdit::Answer TargetEdit::answer(const VecX& wanted, int caution, double sh
     best = trial(best.change + projection.least_change(-k_ * best.x), pull, least);
   }
   const ShapeResponse& s = *response_;
-  Answer answer;
-  const VecX x = share * best.x;
-  answer.p = map_.clamped(s.p() + s.scale().cwiseProduct(x));
-  answer.dq = s.matrix() * x;
-  answer.rms = std::sqrt((rows_ * x - weighted).squaredNorm() / std::max(total, 1e-300));
-  return answer;
+  return {map_.clamped(s.p() + s.scale().cwiseProduct(best.x)), s.matrix() * best.x, miss(best.x, aims)};
+}
+
+TargetEdit::Answer TargetEdit::shortened(const Answer& answer, const VecX& wanted, double share) const {
+  const ShapeResponse& s = *response_;
+  const VecX p = s.p() + share * (answer.p - s.p());
+  return {p, share * answer.dq, miss((p - s.p()).cwiseQuotient(s.scale()), weighted(wanted))};
 }
 
 std::vector<ParameterChange> largest_changes(std::span<const Parameter> parameters, const VecX& from, const VecX& to,

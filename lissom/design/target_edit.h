@@ -38,9 +38,10 @@ class TargetEdit {
     VecX dq;     ///< S times the change of p: of all unknowns, global axes
     double rms;  ///< m, weighted, by which pulled nodes miss where they are wanted, to first order
   };
-  /// `wanted`: m, (3 per pulled node): the displacements from the start. `caution`: index into kCautions. `share`: in (0, 1], of
-  /// the way from the start to that answer.
-  Answer answer(const VecX& wanted, int caution = 0, double share = 1) const;
+  /// `wanted`: m, (3 per pulled node): the displacements from the start. `caution`: index into kCautions.
+  Answer answer(const VecX& wanted, int caution = 0) const;
+  /// A share, in (0, 1], of the way to an answer to `wanted`: constraints and bounds hold there, too.
+  Answer shortened(const Answer& answer, const VecX& wanted, double share) const;
 
   const ShapeResponse& response() const { return *response_; }
   const std::shared_ptr<const ShapeResponse>& shared_response() const { return response_; }
@@ -59,6 +60,8 @@ class TargetEdit {
     ConstraintProjection projection;
     Eigen::LLT<MatX> normal;
   };
+  VecX weighted(const VecX& wanted) const;
+  double miss(const VecX& x, const VecX& weighted) const;
   Trial trial(const VecX& change, const VecX& pull, double least) const;
   Slope slope_at(const VecX& change, double least) const;
   /// Gauss and Newton's, into what leaves the constraints alone.
@@ -71,6 +74,7 @@ class TargetEdit {
   std::shared_ptr<const ShapeResponse> response_;
   HardConstraints constraints_;
   std::vector<PulledNode> pulled_;
+  double total_ = 0;  ///< of the squared weights
   BoundMap map_;
   VecX p_, u_;                 ///< parameters of the start, inside the bounds, SI; mapped
   MatX k_;                     ///< K over parameters in scales, (constraints x m)

@@ -20,12 +20,7 @@ constexpr double kFurthest = 0.5;      // rad: previews in which rods would turn
 constexpr int kMostTargets = 700;      // nodes by which shapes are compared
 constexpr double kPulledWeight = 4;    // of pulled nodes among them
 
-/// Answers to the same pull, each of which goes less far than the one before.
-struct Way {
-  int caution;
-  double share;
-};
-constexpr Way kWays[] = {{0, 1}, {1, 1}, {2, 1}, {2, 0.5}, {2, 0.25}, {2, 0.125}, {2, 0.0625}};
+constexpr int kMostHalvings = 4;  // of an answer that has no room however cautious it is
 
 /// 1 at the centre, 0 and flat at the radius.
 double falloff(double distance, double radius) {
@@ -129,8 +124,11 @@ Result<Handle::Preview> Handle::move(const HandleMove& move) {
   }
   std::string lags;
   bool followed = false;
-  for (const Way& way : kWays) {
-    preview.answer = edit_->answer(preview.wanted, way.caution, way.share);
+  // Each of them goes less far than the one before.
+  constexpr int cautions = static_cast<int>(TargetEdit::kCautions.size());
+  for (int i = 0; i < cautions + kMostHalvings; ++i) {
+    preview.answer =
+        i < cautions ? edit_->answer(preview.wanted, i) : edit_->shortened(preview.answer, preview.wanted, 0.5);
     followed = follow(preview);
     if (followed && preview.refused.empty() && preview.turn < kFurthest) break;
     if (lags.empty()) lags = preview.refused.empty() ? "rods would have to turn too far at once" : preview.refused;

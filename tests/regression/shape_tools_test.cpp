@@ -187,7 +187,8 @@ TEST(TargetEdit, KeepsConstraintsWithinBounds) {
   const TargetEdit edit(r.response, r.constraints, {{node_of_point(*r.design, "f3-l"), 1}}, 0.3);
   const MatX k = constraint_response(r.constraints, s.start().state.q, s.matrix());
   for (const double share : {0.5, 1.0}) {
-    const TargetEdit::Answer answer = edit.answer(Vec3(0, 0, 0.02), 0, share);
+    const Vec3 wanted(0, 0, 0.02);
+    const TargetEdit::Answer answer = edit.shortened(edit.answer(wanted), wanted, share);
     const VecX x = (answer.p - s.p()).cwiseQuotient(s.scale());
     EXPECT_GT(x.cwiseAbs().maxCoeff(), 0.5);  // of a scale
     EXPECT_LT((k * x).norm(), 1e-6 * k.norm() * x.norm());
