@@ -125,7 +125,7 @@ Result<Handle::Preview> Handle::move(const HandleMove& move) {
   std::string lags;
   bool followed = false;
   // Each of them goes less far than the one before.
-  constexpr int cautions = static_cast<int>(TargetEdit::kCautions.size());
+  const int cautions = static_cast<int>(TargetEdit::kCautions.size());
   for (int i = 0; i < cautions + kMostHalvings; ++i) {
     preview.answer =
         i < cautions ? edit_->answer(preview.wanted, i) : edit_->shortened(preview.answer, preview.wanted, 0.5);
