@@ -5,7 +5,8 @@
 
 What is counted: every GoogleTest case; every script check as one, or as many as its own last line says; with --verify,
 every line of `lissom verify tests/physics/*`. A program that crashes, writes no report or runs no case is a failure; so
-is a run in which no GoogleTest case was run. Skipped cases are named and counted as failed: they prove nothing.
+is a run in which no GoogleTest case was run. Skipped cases are named with their reason and count as nothing, for they
+prove nothing; one without a reason is a failure.
 Needs Python's standard library only.
 """
 
