@@ -58,6 +58,7 @@ void measure(const Drag& drag, const Context& context) {
   }
   LiveDesign& design = *opened.value();
   std::vector<double> times, factorizations;
+  int there = 0;  // most factorizations at a new mesh
   int meshes = 0, stable = 0, jumps = 0;
   double before = height(design), change_there = 0, change_elsewhere = 0;
   for (int k = 0; k < kSteps; ++k) {
@@ -75,6 +76,7 @@ void measure(const Drag& drag, const Context& context) {
     factorizations.push_back(design.equilibrium().factorizations);
     stable += design.equilibrium().verdict == Verdict::kStable;
     meshes += change.value().remeshed;
+    if (change.value().remeshed) there = std::max(there, design.equilibrium().factorizations);
     jumps += change.value().following.jumped;
     const double now = height(design), share = std::abs(now / before - 1);
     double& largest = change.value().remeshed ? change_there : change_elsewhere;
@@ -85,6 +87,7 @@ void measure(const Drag& drag, const Context& context) {
   row(name, "stable", stable, "");
   row(name, "jumps", jumps, "");
   row(name, "new meshes", meshes, "");
+  row(name, "factorizations at a new mesh, most", there, "");
   row(name, "largest change of height at a new mesh", 100 * change_there, "%");
   row(name, "largest change of height elsewhere", 100 * change_elsewhere, "%");
   row(name, "time of a step", middle(times), "ms");
@@ -102,5 +105,6 @@ int main() {
   context.threads = &threads;
   lissom::measure({"disc-crossed", 3e-3, "centre", {-0.055, 0.025}}, context);
   lissom::measure({"butterfly", 0, "b2-l", {-0.024, 0.008}}, context);
+  lissom::measure({"mask", 0, "m1-l", {0.0104, 0.0052}}, context);
   return 0;
 }

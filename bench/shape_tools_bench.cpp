@@ -28,6 +28,7 @@ struct Pull {
 struct Recorded {
   const char* scene;
   std::vector<Pull> pulls;
+  std::vector<std::string> pinned = {};  ///< points that have to stay
 };
 
 const std::vector<Recorded> kRecorded = {
@@ -35,10 +36,21 @@ const std::vector<Recorded> kRecorded = {
      {{{"f3-l", "f3-r"}, {0, 0, 0.03}}, {{"f3-l"}, {0, 0.02, 0.03}}, {{"head"}, {0, 0.01, -0.02}, {0.1, 0, 0}}}},
     {"mask", {{{"nose"}, {0, 0, 0.03}}, {{"chin"}, {0, -0.01, -0.02}}, {{"m1-l", "m1-r"}, {0, 0, 0.015}}}},
     {"car", {{{"roof"}, {0, 0, 0.015}}, {{"nose"}, {0, 0, -0.015}}, {{"w2-l", "w2-r"}, {0, 0.01, 0.01}}}},
+    {"mask",
+     {{{"nose"}, {0, 0, 0.01}}, {{"fore"}, {0, 0, 0.015}}, {{"m1-l", "m1-r"}, {0, 0, 0.015}}},
+     {"o1-l", "o1-r"}},
+    {"car", {{{"roof"}, {0, 0, 0.01}}, {{"nose"}, {0, 0, -0.015}}, {{"screen"}, {0, 0, 0.015}}}, {"s1-l", "s1-r"}},
     {"disc-empty", {{{"rim-0"}, {0, 0, 0.03}}, {{"rim-0", "rim-2"}, {0, 0, -0.03}}, {{"rim-1"}, {0, 0.02, 0}}}},
     {"disc-crossed", {{{"rim-0"}, {0, 0, 0.03}}, {{"centre"}, {0, 0, 0.03}}, {{"rim-1"}, {0, 0.02, 0.02}}}},
     {"disc-ringed", {{{"rim-0"}, {0, 0, 0.03}}, {{"rim-0", "rim-2"}, {0, 0, 0.03}}, {{"rim-1"}, {0, 0.02, 0.02}}}},
     {"disc-split", {{{"rim-0"}, {0, 0, 0.03}}, {{"rim-2"}, {0, 0, 0.03}}, {{"rim-1"}, {0, 0.02, 0.02}}}},
+    {"frame-base", {{{"a", "c"}, {0, 0, 0.02}}, {{"a"}, {0, 0, -0.02}}, {{"b"}, {0.02, 0.01, 0}}}},
+    {"frame-thick", {{{"a", "c"}, {0, 0, 0.02}}, {{"a"}, {0, 0, -0.02}}, {{"b"}, {0.02, 0.01, 0}}}},
+    {"frame-more-stretch", {{{"a", "c"}, {0, 0, 0.02}}, {{"a"}, {0, 0, -0.02}}, {{"b"}, {0.02, 0.01, 0}}}},
+    {"frame-soft-in-plane", {{{"a", "c"}, {0, 0, 0.02}}, {{"a"}, {0, 0, -0.02}}, {{"b"}, {0.02, 0.01, 0}}}},
+    {"rectangle-empty", {{{"p00"}, {0, 0, 0.02}}, {{"p00", "p11"}, {0, 0, 0.02}}, {{"p10"}, {0.01, 0.01, 0}}}},
+    {"rectangle-squares", {{{"p21"}, {0, 0, 0.02}}, {{"p00", "p02"}, {0, 0, 0.02}}, {{"p10"}, {0.01, 0.01, 0}}}},
+    {"rectangle-strips", {{{"p40"}, {0, 0, 0.02}}, {{"p00", "p01"}, {0, 0, 0.02}}, {{"p10"}, {0.01, 0.01, 0}}}},
 };
 
 int node_of(const LiveDesign& design, const std::string& name) {
@@ -58,13 +70,20 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
   Result<std::unique_ptr<LiveDesign>> made = LiveDesign::make(model.value(), 0, options, context);
   if (!made) return (void)std::fprintf(stderr, "%s: %s\n", recorded.scene, made.error().text().c_str());
   const LiveDesign& design = *made.value();
-  const std::string name = recorded.scene;
+  const std::string name = recorded.scene + std::string(recorded.pinned.empty() ? "" : ", pinned");
+  HardConstraints constraints;
+  std::vector<PinnedNode> pins;
+  for (const std::string& point : recorded.pinned) {
+    const int node = node_of(design, point);
+    constraints.pinned.push_back(node);
+    pins.push_back({node, design.equilibrium().state.position(node)});
+  }
   const ShapeStart start{design.mesh(), design.model(), 0, design.equilibrium().state};
   std::shared_ptr<const ShapeResponse> response;
-  row(name, "response", least_ms(3, [&] { response = ShapeResponse::make(start, tool_space(), {}, context).value(); }),
-      "ms");
+  row(name, "response",
+      least_ms(3, [&] { response = ShapeResponse::make(start, tool_space(), pins, context).value(); }), "ms");
   row(name, "parameters", response->size(), "");
-  row(name, "modes", least_ms(3, [&] { (void)shape_modes(*response, {}, 6); }), "ms");
+  row(name, "modes", least_ms(3, [&] { (void)shape_modes(*response, constraints, 6); }), "ms");
   const double size = design.system().structure.size;
   int number = 0;
   for (const Pull& pull : recorded.pulls) {
@@ -72,10 +91,10 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
     for (const std::string& point : pull.points) grip.nodes.push_back(node_of(design, point));
     grip.radius = pull.radius * size;
     grip.stay = stay;
-    Result<Handle> handle = Handle::make(response, {}, grip, context);
+    Result<Handle> handle = Handle::make(response, constraints, grip, context);
     if (!handle) return (void)std::fprintf(stderr, "%s: %s\n", recorded.scene, handle.error().text().c_str());
     const std::string own = name + ", pull " + std::to_string(++number);
-    row(own, "handle taken", least_ms(2, [&] { (void)Handle::make(response, {}, grip, context); }), "ms");
+    row(own, "handle taken", least_ms(2, [&] { (void)Handle::make(response, constraints, grip, context); }), "ms");
     const HandleMove move{size * pull.move, pull.turn, 1};
     row(own, "linear preview", median_ms(7, [&] { (void)handle.value().move(move); }), "ms");
     const Handle::Preview* preview = handle.value().last();
@@ -84,7 +103,7 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
     row(own, "rods turn by", 57.29577951308232 * preview->turn, "deg");
     if (!preview->lags.empty()) std::printf("%s\tstays behind the pull: %s\n", own.c_str(), preview->lags.c_str());
     const double begin = now_ms();
-    const auto fit = std::move(ShapeFit::make(response, {}, handle.value().target(), context)).value();
+    const auto fit = std::move(ShapeFit::make(response, constraints, handle.value().target(), context)).value();
     const double before = fit->distance();
     int iterations = 0;
     const std::optional<DesignVerdict> verdict =
@@ -94,6 +113,7 @@ void measure(const Recorded& recorded, double stay, const Context& context) {
     row(own, "solves", fit->effort().solves, "");
     row(own, "distance before", 1e3 * before, "mm");
     row(own, "distance after", 1e3 * fit->distance(), "mm");
+    if (!pins.empty()) row(own, "constraints off by", 1e3 * fit->violation(), "mm");
     row(own, "fell to", 100 * fit->distance() / before, "%");
     std::printf("%s\tended: %s\n", own.c_str(),
                 verdict ? std::string(design_verdict_info(*verdict).name).c_str() : "enough");

@@ -81,12 +81,11 @@ struct Carrier {
     return (old_position(t[1]) - old_position(t[0])).cross(old_position(t[2]) - old_position(t[0])).normalized();
   }
 
-  /// Normal of the material frame of the old edge between two vertices; zero where there was none.
-  Vec3 old_normal(int a, int b) const {
+  /// The old edge between two vertices, or -1.
+  int old_edge(int a, int b) const {
     const std::vector<int>& nodes = fabric_nodes(from);
     const auto found = old_edges.find(std::minmax(nodes[a], nodes[b]));
-    if (found == old_edges.end()) return Vec3::Zero();
-    return state.edges[found->second].material().n;
+    return found == old_edges.end() ? -1 : found->second;
   }
 };
 
@@ -97,10 +96,11 @@ std::vector<int> piece_starts(const std::vector<int>& pieces) {
   return starts;
 }
 
-/// New positions of all nodes and normals of all edges of the new system.
+/// New positions of all nodes, normals and axial strains of all edges of the new system.
 struct Carried {
   VecX positions;
   std::vector<Vec3> normals;  ///< by edge, zero where nothing is known yet
+  std::vector<double> strains;
 };
 
 /// A rod that was there before: nodes on the cubic through its old nodes.
@@ -129,11 +129,14 @@ void carry_rod(const Carrier& c, std::size_t rod, std::size_t old_rod, Carried& 
         out.positions.segment<3>(3 * node_of[new_nodes[node]]) = curve.point(edge, old_starts[piece] + u - edge);
       }
       const int edge = old_edge_at(middle);
-      const Vec3 normal = c.old_normal(old_nodes[static_cast<std::size_t>(edge)],
-                                       old_nodes[(static_cast<std::size_t>(edge) + 1) % old_nodes.size()]);
+      const int was = c.old_edge(old_nodes[static_cast<std::size_t>(edge)],
+                                 old_nodes[(static_cast<std::size_t>(edge) + 1) % old_nodes.size()]);
       const auto found =
           new_edges.find(std::minmax(node_of[new_nodes[node]], node_of[new_nodes[(node + 1) % new_nodes.size()]]));
-      if (found != new_edges.end()) out.normals[static_cast<std::size_t>(found->second)] = normal;
+      if (was < 0 || found == new_edges.end()) continue;
+      const EdgeState& before = c.state.edges[was];
+      out.normals[found->second] = before.material().n;
+      out.strains[found->second] = before.length / c.from.system.rest.edges[was].length - 1;
     }
   }
 }
@@ -154,7 +157,7 @@ Mat3 joint_rotation(const System& system, int joint, const Carried& carried) {
 
 }  // namespace
 
-State carried_over(const PlanStage& from, const State& state, const PlanStage& to) {
+CarriedShape carried_over(const PlanStage& from, const State& state, const PlanStage& to) {
   const Carrier c(from, state, to);
   const System& system = to.system;
   const std::vector<int>& node_of = fabric_nodes(to);
@@ -163,6 +166,7 @@ State carried_over(const PlanStage& from, const State& state, const PlanStage& t
   // What lies off the fabric stays as drawn.
   for (int i = 0; i < system.layout.nodes(); ++i) carried.positions.segment<3>(3 * i) = system.structure.nodes[i];
   carried.normals.assign(static_cast<std::size_t>(system.edge_count()), Vec3::Zero());
+  carried.strains.assign(static_cast<std::size_t>(system.edge_count()), 0.0);
   const std::vector<Vec2> flat = flat_points(to);
   for (std::size_t v = 0; v < flat.size(); ++v) carried.positions.segment<3>(3 * node_of[v]) = c.on_fabric(flat[v]);
   std::map<std::string, std::size_t> old_points;
@@ -194,7 +198,8 @@ State carried_over(const PlanStage& from, const State& state, const PlanStage& t
     if (before >= 0)
       rotations[static_cast<std::size_t>(joint)] = state.joint_rotation[static_cast<std::size_t>(before)];
   }
-  return state_of_shape(system, carried.positions, carried.normals, rotations, state.load_factor);
+  return {state_of_shape(system, carried.positions, carried.normals, rotations, state.load_factor),
+          std::move(carried.strains)};
 }
 
 }  // namespace lissom

@@ -143,12 +143,12 @@ Result<DesignChange> LiveDesign::remesh(const Model& changed, std::string reason
   const bool same = same_rods(*model_.plan, *changed.plan);
   Result<ExpandedPlan> moved = same ? mesh_->moved_to(changed) : Result<ExpandedPlan>(expanded_);
   const PlanStage from{same && moved ? *changed.plan : *model_.plan, moved ? moved.value() : expanded_, system_};
-  const State start = carried_over(from, equilibrium_.state, {*changed.plan, mesh->as_made(), system.value()});
+  const CarriedShape start = carried_over(from, equilibrium_.state, {*changed.plan, mesh->as_made(), system.value()});
   if (Status s = furnish(changed, mesh, mesh->as_made(), std::move(system).value()); !s) return s.error();
-  equilibrium_ = solver_->settle(start, start.load_factor);
+  equilibrium_ = solver_->settle(start.state, start.state.load_factor, start.strains);
   DesignChange change{true, std::move(reason), {}};
   const int nodes = system_.layout.nodes();
-  State laid = start;
+  State laid = start.state;
   lay_down(*problem_, laid);
   change.following.moved = (equilibrium_.state.q - laid.q).head(3 * nodes).norm() / std::sqrt(nodes);
   return change;

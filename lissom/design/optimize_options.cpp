@@ -80,6 +80,9 @@ Status OptimizeOptions::validate() const {
   if (!positive(first_damping)) {
     return out_of_range("first_damping", "the first damping has to be positive", "1e-3 is usual");
   }
+  if (!positive(least_damped) || least_damped > 1) {
+    return out_of_range("least_damped", "the share has to lie between 0 and 1", "1e-12 is usual");
+  }
   if (max_products < 1) return out_of_range("max_products", "at least one product is needed", "200 is usual");
   if (!positive(newton_forcing) || newton_forcing >= 1) {
     return out_of_range("newton_forcing", "the share has to lie between 0 and 1", "0.1 is usual");

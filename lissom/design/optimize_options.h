@@ -64,6 +64,9 @@ struct OptimizeOptions {
   int max_halvings = 10;
   /// First mu of kLevenbergMarquardt, of the diagonal of J'J.
   double first_damping = 1e-3;
+  /// Of the largest entry of that diagonal: parameters that matter less are damped as if they mattered so much. Where little
+  /// is enough they go far for a little gain.
+  double least_damped = 1e-12;
   /// Hessian products of one step of kNewton or kGaussNewtonProducts, and how far they bring the gradient of the model: to this share or, if that is
   /// less, to the square root of the share to which the promises have come since the start.
   int max_products = 200;

@@ -13,6 +13,7 @@ namespace {
 // Of the forces, against that of shapes to look at: along soft motions a residual that is small enough to the eye is a long
 // way from rest, and steps are judged by less than that.
 constexpr double kFineness = 1e-2;
+constexpr double kWays[] = {1, 0.5, 0.25};  // to parameters that are expected to be good
 
 }  // namespace
 
@@ -94,6 +95,19 @@ double ShapeFit::distance() const {
 double ShapeFit::violation() const {
   const VecX values = violations(constraints_, response_->start().state.q, state_.q);
   return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+}
+
+bool ShapeFit::approach() {
+  if (target_.p.size() == 0) return false;
+  const VecX way = target_.p.cwiseQuotient(response_->scale()) - x_;
+  for (const double share : kWays) {
+    const Attempt attempted = attempt(x_ + share * way);
+    if (attempted.outcome == Outcome::kCancelled) return false;
+    if (attempted.outcome != Outcome::kSettled || !(attempted.value < value_)) continue;
+    accept();
+    return true;
+  }
+  return false;
 }
 
 const MatX& ShapeFit::jacobian() {

@@ -19,6 +19,7 @@ struct ShapeTarget {
   VecX places;                  ///< m, (3 per node)
   std::vector<int> nodes;       ///< that count
   std::vector<double> weights;  ///< of each of them, > 0
+  VecX p = {};                  ///< SI, parameters that bring it about to first order; empty where none are known
 };
 
 class ShapeFit final : public ReducedProblem {
@@ -30,6 +31,9 @@ class ShapeFit final : public ReducedProblem {
   static Result<std::unique_ptr<ShapeFit>> make(std::shared_ptr<const ShapeResponse> response,
                                                 HardConstraints constraints, ShapeTarget target,
                                                 const Context& context);
+
+  /// Goes to the parameters that the target knows of, or part of the way, if the shape comes nearer to it there.
+  bool approach();
 
   /// m, weighted root mean square over the nodes that count, at the point.
   double distance() const;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kLeastRatio = 1e-4, kPoor = 0.25, kGood = 0.75;
 constexpr double kGrowth = 4, kFall = 3, kLeastDamping = 1e-15;
-constexpr double kLeastDiagonal = 1e-12;  // of the largest: a parameter that nothing depends on has none of its own
 
 class LevenbergMarquardt final : public StepMethod {
  public:
@@ -21,7 +20,9 @@ class LevenbergMarquardt final : public StepMethod {
     OptimizerState& state = work.state;
     const MatX& gram = problem.gram();
     const VecX& g = problem.gradient();
-    const VecX diagonal = gram.diagonal().cwiseMax(std::max(kLeastDiagonal * gram.diagonal().maxCoeff(), 1e-300));
+    // A parameter that nothing depends on has none of its own.
+    const double least = std::max(work.options.least_damped * gram.diagonal().maxCoeff(), 1e-300);
+    const VecX diagonal = gram.diagonal().cwiseMax(least);
     MatX damped = gram;
     damped.diagonal() += state.damping * diagonal;
     VecX lower, upper;

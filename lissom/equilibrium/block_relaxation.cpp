@@ -5,6 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "lissom/mechanics/membrane_bend.h"
+
 namespace lissom {
 
 namespace {
@@ -12,12 +14,25 @@ namespace {
 constexpr double kLeastShift = 1e-6, kMostShift = 1e3, kShiftGrowth = 16, kShiftFall = 64;
 constexpr double kMostTurn = 0.5;  // rad, of a roll or joint rotation in one step
 constexpr double kEnergyNoise = 1e-13;
+constexpr double kSlight = 1e-2;  // of the least stiffness of a rod's bend: what rods next to a fold do not notice
+
+constexpr double kServes =
+    0.03;  // of the forces before a step: where no more are left, its factor serves for the next one
+
+/// Whether membranes fold so easily that their bending need not be in the matrix of the rods: it stays in their balance and in
+/// the energies, and is the dearest block of all to find and to add.
+bool folds_easily(const RestState& rest) {
+  double fold = 0, rod = INFINITY;
+  for (const HingeRest& hinge : rest.hinges) fold = std::max(fold, hinge.stiffness);
+  for (const PairRest& pair : rest.pairs) rod = std::min(rod, std::min(pair.bend_1, pair.bend_2) / pair.length);
+  return fold < kSlight * rod;
+}
 
 }  // namespace
 
 BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& takes_part,
                            const std::vector<bool>& can_move)
-    : workspace_(workspace) {
+    : workspace_(workspace), folds_easily_(folds_easily(workspace.system().rest)) {
   const DofLayout& layout = workspace.system().layout;
   const Potential& whole = workspace.problem().potential;
   kept_.assign(layout.size(), -1);
@@ -46,7 +61,8 @@ BlockRelaxer::BlockRelaxer(NewtonWorkspace& workspace, const std::vector<bool>& 
 std::vector<std::unique_ptr<EnergyTerm>> BlockRelaxer::touching_terms() const {
   std::vector<std::unique_ptr<EnergyTerm>> terms;
   for (const auto& term : workspace_.problem().potential.terms()) {
-    std::unique_ptr<EnergyTerm> part = term->touching(touched_);
+    std::unique_ptr<EnergyTerm> part =
+        term->touching(touched_, !(folds_easily_ && term->name() == MembraneBend::kName));
     if (part->stencils() > 0) terms.push_back(std::move(part));
   }
   return terms;
@@ -61,23 +77,21 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
   bool changed = false;
   double energy = 0;  // of the part at the state
   double added = 0;   // to the shift, where the matrix needed it
+  double last = INFINITY;
+  bool serves = false;  // the factor of the step before, once more
   for (int u = 0; u < unknowns_; ++u)
     metric_[u] = workspace_.class_metric(workspace_.system().layout.dof_class(dof_[u]));
   for (int k = 0; k < steps; ++k) {
     if (k > 0) {  // often the last step was enough, and a gradient tells
       potential_->gradient(state, gradient_, workspace_.buffers(), workspace_.context().threads);
       if (!(residual() > tolerance)) return changed;
+      serves = residual() < kServes * last;
     }
-    potential_->hessian(state, gradient_, hessian_, workspace_.buffers(), workspace_.context().threads);
-    if (!(residual() > tolerance)) return changed;
+    if (!serves) potential_->hessian(state, gradient_, hessian_, workspace_.buffers(), workspace_.context().threads);
+    last = residual();
+    if (!(last > tolerance)) return changed;
     for (int u = 0; u < unknowns_; ++u) g_[u] = gradient_[dof_[u]];
-    const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
-    added = added > kLeastShift ? added / kShiftFall : 0;
-    while (!factor_->factorize(hessian_, shift + added, metric, Indefinite::kStop).positive_definite) {
-      if (crumpled == Crumpled::kLeave) return changed;
-      added = std::max(kShiftGrowth * added, kLeastShift);
-      if (added > kMostShift) return changed;
-    }
+    if (!serves && !factorize(shift, added, crumpled)) return changed;
     d_ = -g_;
     factor_->solve(d_, d_);
     if (!d_.allFinite()) return changed;
@@ -86,6 +100,17 @@ bool BlockRelaxer::relax(State& state, int steps, double shift, double tolerance
     changed = true;
   }
   return changed;
+}
+
+bool BlockRelaxer::factorize(double shift, double& added, Crumpled crumpled) {
+  const std::span<const double> metric(metric_.data(), static_cast<size_t>(unknowns_));
+  added = added > kLeastShift ? added / kShiftFall : 0;
+  while (!factor_->factorize(hessian_, shift + added, metric, Indefinite::kStop).positive_definite) {
+    if (crumpled == Crumpled::kLeave) return false;
+    added = std::max(kShiftGrowth * added, kLeastShift);
+    if (added > kMostShift) return false;
+  }
+  return true;
 }
 
 double BlockRelaxer::residual() const {

@@ -1,7 +1,8 @@
 #pragma once
 /// Brings a part of the unknowns into balance while all others are held: a small system next to the whole one, solved
 /// inside a trial step so that the energies of trials are not spoiled by what is stiff and local [convergence 4, F and B;
-/// section 3]. Only stencils that touch the part are assembled.
+/// section 3]. Only stencils that touch the part are assembled,
+/// and of fabrics that fold more easily than any rod no second derivatives of bending.
 
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ class BlockRelaxer {
 
  private:
   double residual() const;  // of gradient_, N
+  /// `added`: to the shift, before and after. False where the matrix stays indefinite.
+  bool factorize(double shift, double& added, Crumpled crumpled);
   bool descend(State& state, double slope, double& energy);
   std::vector<std::unique_ptr<EnergyTerm>> touching_terms() const;
 
@@ -40,6 +43,7 @@ class BlockRelaxer {
   std::vector<int> kept_, dof_;       // unknown of the part by unknown of the whole, -1: none; and back
   int unknowns_ = 0, positions_ = 0;  // of the part; the positions come first
   int movable_ = 0;                   // of the whole
+  bool folds_easily_;                 // as it was made: patterns depend on it
   std::vector<bool> touched_;
   std::optional<Potential> potential_;
   std::optional<LinearSolver> factor_;

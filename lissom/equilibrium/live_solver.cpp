@@ -49,7 +49,7 @@ void LiveSolver::remember_strains(const State& state) {
   for (std::size_t e = 0; e < rest.size(); ++e) strains_.push_back(state.edges[e].length / rest[e].length - 1);
 }
 
-Equilibrium LiveSolver::settle(const State& start, double load_factor) {
+Equilibrium LiveSolver::settle(const State& start, double load_factor, std::span<const double> strains) {
   Equilibrium result;
   factorizations_before_ = workspace_.factorizations();
   result.state = start;
@@ -64,7 +64,7 @@ Equilibrium LiveSolver::settle(const State& start, double load_factor) {
                                      options_.max_iterations, result.records);
   result.iterations = moves.iterations;
   if (moves.verdict != Verdict::kStable) return finish(std::move(result), moves.verdict);
-  return descend(std::move(result), FirstStep::kNewton, options_.max_iterations);
+  return descend(std::move(result), FirstStep::kNewton, options_.max_iterations, strains);
 }
 
 bool LiveSolver::take_up(const State& equilibrium) {
@@ -88,19 +88,20 @@ Equilibrium LiveSolver::resettle(const State& before, std::optional<int> max_ite
     return finish(std::move(result), Verdict::kBadStart);
   }
   result = descend(std::move(result), FirstStep::kFactorAtHand,
-                   std::min(max_iterations.value_or(options_.max_iterations), options_.max_iterations));
+                   std::min(max_iterations.value_or(options_.max_iterations), options_.max_iterations), strains_);
   following_.predicted = minimizer_ ? minimizer_->predicted_move() : 0;
   const double expected = kFarFromPrediction * following_.predicted + kNoticed * problem_.scales.length;
   following_.jumped = following_.jumped || following_.moved > expected;
   return result;
 }
 
-Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first, int max_iterations) {
+Equilibrium LiveSolver::descend(Equilibrium result, FirstStep first, int max_iterations,
+                                std::span<const double> strains) {
   const VecX before = result.state.q;
-  for (int escapes = 0;; ++escapes, first = FirstStep::kNewton) {
+  for (int escapes = 0;; ++escapes, first = FirstStep::kNewton, strains = {}) {
     const int left = std::max(max_iterations - result.iterations, 0);
     const Descent descent = minimizer_
-                                ? minimizer_->run(result.state, result.tolerance, left, result.records, first, strains_)
+                                ? minimizer_->run(result.state, result.tolerance, left, result.records, first, strains)
                                 : find_root(workspace_, result.state, result.tolerance, options_, left, result.records);
     result.iterations += descent.iterations;
     result.residual = descent.residual;

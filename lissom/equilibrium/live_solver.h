@@ -3,6 +3,7 @@
 /// that a structure whose numbers change a little settles in a few hundredths of a second [convergence 5].
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,8 +29,9 @@ class LiveSolver {
   LiveSolver(const LiveSolver&) = delete;
   LiveSolver& operator=(const LiveSolver&) = delete;
 
-  /// Brings `start` to `load_factor` and into equilibrium. Never returns a state that is not finite.
-  Equilibrium settle(const State& start, double load_factor);
+  /// Brings `start` to `load_factor` and into equilibrium. Never returns a state that is not finite. `strains`: axial
+  /// strains of the edges, where they are known better than the places in `start` tell.
+  Equilibrium settle(const State& start, double load_factor, std::span<const double> strains = {});
 
   /// Follows a small change of the problem's numbers, or of the places that it holds, from an equilibrium of the old ones, at
   /// its load factor: first-order prediction with the factor at hand, then steps by conjugate gradients on it, new factors only where these fail.
@@ -57,7 +59,7 @@ class LiveSolver {
 
  private:
   double tolerance() const;
-  Equilibrium descend(Equilibrium result, FirstStep first, int max_iterations);
+  Equilibrium descend(Equilibrium result, FirstStep first, int max_iterations, std::span<const double> strains);
   void remember_strains(const State& state);
   Equilibrium finish(Equilibrium result, Verdict verdict);
 

@@ -134,6 +134,12 @@ bool Minimizer::newton_step() {
   return true;
 }
 
+void Minimizer::fit_lengths(std::span<const double> strains) {
+  step_.setZero(workspace_.system().layout.size());
+  path_.begin(*state_, step_, 1, false, strains);
+  if (path_.at(1, trial_)) std::swap(*state_, trial_);
+}
+
 void Minimizer::leave_saddle() {
   crawling_ = 0;
   const VecX free = shift_.negative_direction();
@@ -159,6 +165,7 @@ Descent Minimizer::run(State& state, double tolerance, int max_iterations, std::
   predicted_move_ = 0;
   predict_ = first == FirstStep::kFactorAtHand && workspace_.has_plain_factor();
   stale_ = reuse_ && workspace_.has_plain_factor();
+  if (!predict_ && !arrival.empty()) fit_lengths(arrival);
   if (rods_ && !predict_) {
     workspace_.assemble(state);  // for the metric of shifts
     rods_->relax(state, kFirstRelaxation, 0, tolerance_, Crumpled::kMend);

@@ -34,7 +34,8 @@ class Minimizer {
 
   /// Lowers the energy of `state` at its load factor until the residual is below `tolerance` (N). `arrival`: axial strains
   /// of the edges where a prediction is expected to end, those of the equilibrium before the change: the prediction itself
-  /// knows them to first order in the new rest lengths only, which for stiff rods is not enough.
+  /// knows them to first order in the new rest lengths only, which for stiff rods is not enough. Where the first step is
+  /// none, edges are brought to them before it.
   Descent run(State& state, double tolerance, int max_iterations, std::vector<IterationRecord>& records,
               FirstStep first = FirstStep::kNewton, std::span<const double> arrival = {});
 
@@ -54,6 +55,8 @@ class Minimizer {
   double try_at(double a);
   bool line_search(double slope, double curvature, double reach);
   void expand(double slope, double turn, double roll);
+  /// Gives the edges of the state these axial strains, with as little motion as can be.
+  void fit_lengths(std::span<const double> strains);
   /// Moves the accepted trial away from the saddle point that it approaches.
   void leave_saddle();
 

@@ -8,11 +8,12 @@ namespace lissom {
 namespace {
 
 constexpr double kSmallest = 1e-9;
-constexpr double kFirst = 1e-7;  // tried when nothing is known
-constexpr double kGrowth = 10;   // after a failure
-constexpr double kFall = 0.1;    // least share of the last shift that is tried next
+constexpr double kFirst = 1e-7;     // tried when nothing is known
+constexpr double kGrowth = 10;      // after a failure
+constexpr double kFall = 0.1;       // least share of the last shift that is tried next
+constexpr double kAboveFailed = 3;  // of what was not enough at this step, at least so much is tried at the next
 constexpr int kSubspace = 2;
-constexpr int kSteps = 4;  // of subspace iteration
+constexpr int kSteps = 6;  // of subspace iteration: an estimate that is too low costs a factorisation that fails
 
 }  // namespace
 
@@ -23,11 +24,13 @@ double ShiftPolicy::first_shift() const {
 
 bool ShiftPolicy::factorize(NewtonWorkspace& workspace) {
   shift_ = next_;
+  failed_ = 0;
   for (int attempt = 0; attempt < 40; ++attempt) {
     if (workspace.factorize(shift_, Indefinite::kStop).positive_definite) {
       if (shift_ > 0) worked_ = shift_;
       return true;
     }
+    failed_ = shift_;
     // What was needed last is a better guess than any constant.
     shift_ = shift_ > 0 ? kGrowth * shift_ : first_shift();
   }
@@ -47,7 +50,7 @@ void ShiftPolicy::learn(NewtonWorkspace& workspace) {
   const double lowest = estimate_lowest(workspace);
   negative_ = std::min(lowest, 0.0);
   // With a shift far above what is needed the estimate cannot tell small eigenvalues apart: do not fall to 0 at once.
-  next_ = std::max(lowest < 0 ? -1.3 * lowest : 0, kFall * shift_);
+  next_ = std::max({lowest < 0 ? -1.3 * lowest : 0, kFall * shift_, kAboveFailed * failed_});
   if (next_ < kSmallest) next_ = 0;
 }
 

@@ -32,6 +32,7 @@ class ShiftPolicy {
 
   ShiftRule rule_;
   double shift_ = 0, next_ = 0;
+  double failed_ = 0;  // largest at this step that was not enough
   double negative_ = 0;
   double worked_ = 0;  // last shift above 0 that was enough
   MatX vectors_;       // unknowns x 2, kept between iterations

@@ -47,20 +47,33 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
   }
   constexpr double kMostCells = 300;  // along a side, so that long segments among short ones stay affordable
   const double cell = std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells});
+  // Cells that each segment may be near to, first and last column and row, within those where there are segments.
+  using Cells = std::array<int, 4>;
   const auto number = [&](double x, double from) { return static_cast<int>(std::floor((x - from) / cell)); };
-  std::vector<std::array<int, 3>> entries;  // column, row, segment
-  std::vector<Vec2> lowest, highest;        // of each segment
+  const int columns = number(high.x(), low.x()) + 1, rows = number(high.y(), low.y()) + 1;
+  std::vector<Cells> cells;
+  std::vector<Vec2> lowest, highest;  // of each segment
+  std::vector<int> first(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(x) * rows + y; };
+  const auto for_cells = [](const Cells& of, const auto& body) {
+    for (int x = of[0]; x <= of[1]; ++x) {
+      for (int y = of[2]; y <= of[3]; ++y) body(x, y);
+    }
+  };
   for (std::size_t k = 0; k < segments.size(); ++k) {
     lowest.push_back(start(k).cwiseMin(end(k)));
     highest.push_back(start(k).cwiseMax(end(k)));
     const Vec2 from = lowest[k].array() - distance, to = highest[k].array() + distance;
-    for (int x = number(from.x(), low.x()); x <= number(to.x(), low.x()); ++x) {
-      for (int y = number(from.y(), low.y()); y <= number(to.y(), low.y()); ++y) {
-        entries.push_back({x, y, static_cast<int>(k)});
-      }
-    }
+    cells.push_back({std::max(number(from.x(), low.x()), 0), std::min(number(to.x(), low.x()), columns - 1),
+                     std::max(number(from.y(), low.y()), 0), std::min(number(to.y(), low.y()), rows - 1)});
+    for_cells(cells[k], [&](int x, int y) { ++first[at(x, y) + 1]; });
   }
-  std::sort(entries.begin(), entries.end());
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  std::vector<int> inside(static_cast<std::size_t>(first.back())), next(first.begin(), first.end() - 1);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    for_cells(cells[k],
+              [&](int x, int y) { inside[static_cast<std::size_t>(next[at(x, y)]++)] = static_cast<int>(k); });
+  }
   const auto boxes_apart = [&](std::size_t a, std::size_t b) {
     return (lowest[a].cwiseMax(lowest[b]) - highest[a].cwiseMin(highest[b])).maxCoeff() > distance;
   };
@@ -69,17 +82,20 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
            segments[a][1] == segments[b][1];
   };
   std::vector<std::array<int, 2>> pairs;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    for (std::size_t j = i + 1; j < entries.size(); ++j) {
-      if (entries[j][0] != entries[i][0] || entries[j][1] != entries[i][1]) break;
-      const auto a = static_cast<std::size_t>(entries[i][2]), b = static_cast<std::size_t>(entries[j][2]);
-      if (boxes_apart(a, b)) continue;
-      if (!joined(a, b) && segment_distance(start(a), end(a), start(b), end(b)) > distance) continue;
-      pairs.push_back({entries[i][2], entries[j][2]});
+  const auto look = [&](int x, int y) {
+    for (int i = first[at(x, y)]; i < first[at(x, y) + 1]; ++i) {
+      for (int j = i + 1; j < first[at(x, y) + 1]; ++j) {
+        const auto a = static_cast<std::size_t>(inside[i]), b = static_cast<std::size_t>(inside[j]);
+        // Of the cells that both are in, the first alone counts.
+        if (x != std::max(cells[a][0], cells[b][0]) || y != std::max(cells[a][2], cells[b][2])) continue;
+        if (boxes_apart(a, b)) continue;
+        if (!joined(a, b) && segment_distance(start(a), end(a), start(b), end(b)) > distance) continue;
+        pairs.push_back({inside[i], inside[j]});
+      }
     }
-  }
+  };
+  for_cells({0, columns - 1, 0, rows - 1}, look);
   std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

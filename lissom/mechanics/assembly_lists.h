@@ -13,18 +13,18 @@
 
 namespace lissom {
 
-/// Entries that the pattern does not have are left out. Places are those of one buffer for gradients and one for Hessians; where the blocks of each term begin in them is given
-/// per term.
+/// Entries that the pattern does not have are left out. Places are those of one buffer for gradients and one for Hessians;
+/// where the blocks of each term begin in them is given per term.
 class AssemblyLists {
  public:
   AssemblyLists() = default;
   AssemblyLists(std::span<const std::unique_ptr<EnergyTerm>> terms, const SparsePattern& pattern,
                 std::span<const std::ptrdiff_t> gradient_start, std::span<const std::ptrdiff_t> hessian_start);
 
-  /// Adds the blocks in `from` to the gradient (one entry per unknown).
-  void add_gradient(const double* from, double* gradient, ThreadPool* threads) const;
+  /// Writes the sums of the blocks in `from` to the gradient (one entry per unknown).
+  void sum_gradient(const double* from, double* gradient, ThreadPool* threads) const;
   /// The same together with the Hessian (one entry per slot of the pattern).
-  void add_all(const double* gradient_from, double* gradient, const double* hessian_from, double* hessian,
+  void sum_all(const double* gradient_from, double* gradient, const double* hessian_from, double* hessian,
                ThreadPool* threads) const;
 
  private:

@@ -73,7 +73,7 @@ void BlockLists::arrange() {
 }
 
 template <BlockLists::Shape S>
-void BlockLists::add_blocks(const List& list, int begin, int end, const double* buffer, double* target) {
+void BlockLists::sum_blocks(const List& list, int begin, int end, const double* buffer, double* target) {
   const BlockSource* next = list.sources.data() + (begin > 0 ? list.blocks[begin - 1].end : 0);
   for (int i = begin; i < end; ++i) {
     const Block& block = list.blocks[i];
@@ -81,31 +81,40 @@ void BlockLists::add_blocks(const List& list, int begin, int end, const double* 
     const BlockSource* last = list.sources.data() + block.end;
     const Rows sum = sum_rows < S == Shape::kRow ? 1 : 3 > (buffer, next, plain_end);
     if constexpr (S == Shape::kRow) {
-      for (int r = 0; r < 3; ++r) target[block.target[0] + r] += sum.entry[0][r];
+      for (int r = 0; r < 3; ++r) target[block.target[0] + r] = sum.entry[0][r];
     } else if constexpr (S == Shape::kLower) {
       for (int c = 0; c < 3; ++c) {
-        for (int r = c; r < 3; ++r) target[block.target[c] + r - c] += sum.entry[r][c];
+        for (int r = c; r < 3; ++r) target[block.target[c] + r - c] = sum.entry[r][c];
       }
     } else {
       const Rows turned = sum_rows<3>(buffer, plain_end, last);
       for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) target[block.target[c] + r] += sum.entry[r][c] + turned.entry[c][r];
+        for (int r = 0; r < 3; ++r) target[block.target[c] + r] = sum.entry[r][c] + turned.entry[c][r];
       }
     }
     next = last;
   }
 }
 
-void BlockLists::add_piece(int piece, const double* buffer, double* target) const {
+void BlockLists::mark_targets(std::vector<bool>& written) const {
+  const auto mark = [&](int first, int count) { std::fill_n(written.begin() + first, count, true); };
+  for (const Block& block : lists_[static_cast<int>(Shape::kRow)].blocks) mark(block.target[0], 3);
+  for (int c = 0; c < 3; ++c) {
+    for (const Block& block : lists_[static_cast<int>(Shape::kLower)].blocks) mark(block.target[c], 3 - c);
+    for (const Block& block : lists_[static_cast<int>(Shape::kPair)].blocks) mark(block.target[c], 3);
+  }
+}
+
+void BlockLists::sum_piece(int piece, const double* buffer, double* target) const {
   const auto [shape, begin, end] = pieces_[piece];
   const List& list = lists_[static_cast<int>(shape)];
   switch (shape) {
     case Shape::kPair:
-      return add_blocks<Shape::kPair>(list, begin, end, buffer, target);
+      return sum_blocks<Shape::kPair>(list, begin, end, buffer, target);
     case Shape::kLower:
-      return add_blocks<Shape::kLower>(list, begin, end, buffer, target);
+      return sum_blocks<Shape::kLower>(list, begin, end, buffer, target);
     case Shape::kRow:
-      return add_blocks<Shape::kRow>(list, begin, end, buffer, target);
+      return sum_blocks<Shape::kRow>(list, begin, end, buffer, target);
   }
 }
 

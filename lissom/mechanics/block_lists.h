@@ -33,9 +33,11 @@ class BlockLists {
   /// Sorts what was added; to be called once, before anything is summed.
   void arrange();
 
-  /// The sums are cut into pieces that may run on any thread, each of which adds to targets of its own.
+  /// The sums are cut into pieces that may run on any thread, each of which overwrites targets of its own.
   int pieces() const { return static_cast<int>(pieces_.size()); }
-  void add_piece(int piece, const double* buffer, double* target) const;
+  void sum_piece(int piece, const double* buffer, double* target) const;
+  /// Marks the targets that the pieces write.
+  void mark_targets(std::vector<bool>& written) const;
 
  private:
   enum class Shape { kPair, kLower, kRow };
@@ -62,7 +64,7 @@ class BlockLists {
   };
 
   template <Shape S>
-  static void add_blocks(const List& list, int begin, int end, const double* buffer, double* target);
+  static void sum_blocks(const List& list, int begin, int end, const double* buffer, double* target);
 
   std::array<List, kShapes> lists_;
   std::vector<Piece> pieces_;

@@ -43,7 +43,7 @@ class EnergyTerm {
   virtual int stencils() const = 0;
   virtual int dofs() const = 0;                      ///< per stencil
   virtual int rests() const = 0;                     ///< rest quantities per stencil
-  virtual bool has_hessian() const = 0;              ///< false: linear in the unknowns
+  virtual bool has_hessian() const = 0;              ///< false: linear in the unknowns, or to be taken for it
   virtual std::span<const int> indices() const = 0;  ///< (stencils x dofs) global unknowns
 
   int groups() const { return (stencils() + kLanes - 1) / kLanes; }
@@ -70,8 +70,8 @@ class EnergyTerm {
   /// Rest quantities of one stencil, and a copy of the term with others (for checks of the mixed block).
   virtual VecX rest(int stencil) const = 0;
   virtual void set_rest(int stencil, const VecX& rest) = 0;
-  /// The term over those stencils alone that have one of the marked unknowns; without links.
-  virtual std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown) const = 0;
+  /// The term over those stencils alone that have one of the marked unknowns; without links, and on request without its Hessian.
+  virtual std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown, bool with_hessian) const = 0;
 };
 
 }  // namespace lissom

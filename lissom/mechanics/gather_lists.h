@@ -12,29 +12,31 @@ class GatherLists {
   GatherLists() = default;
 
   /// `visit(emit)` calls emit(target, place) for every pair, in the same order each of the two times it is called. All
-  /// places are below 2^31.
+  /// places are below 2^31. `holds_sum`, one per target: those to whose value the sum is added; the others are overwritten,
+  /// by 0 where they have no place.
   template <class Visit>
-  GatherLists(int targets, const Visit& visit) {
-    std::vector<int> count(targets, 0);
+  GatherLists(const std::vector<bool>& holds_sum, const Visit& visit) {
+    std::vector<int> count(holds_sum.size(), 0);
     visit([&](int target, std::ptrdiff_t) { ++count[target]; });
-    const std::vector<std::ptrdiff_t> first = arrange(count);
+    const std::vector<std::ptrdiff_t> first = arrange(count, holds_sum);
     std::vector<std::ptrdiff_t> next = first;
     visit([&](int target, std::ptrdiff_t place) { place_[next[target]++] = static_cast<int>(place); });
   }
 
-  /// The work is cut into pieces that may run on any thread: target[i] += sum of buffer[place] over the places of i.
+  /// The work is cut into pieces that may run on any thread.
   int pieces() const { return static_cast<int>(pieces_.size()); }
-  void add_piece(int piece, const double* buffer, double* target) const;
+  void sum_piece(int piece, const double* buffer, double* target) const;
 
  private:
-  /// Targets with the same number of places.
+  /// Targets with the same number of places, all of which hold a sum or none.
   struct Run {
     int count = 0;
+    bool adds = false;
     std::ptrdiff_t begin = 0, end = 0, first_place = 0;
   };
 
-  /// Sorts the targets by count; returns where the places of each begin.
-  std::vector<std::ptrdiff_t> arrange(const std::vector<int>& count);
+  /// Sorts the targets into runs; returns where the places of each begin.
+  std::vector<std::ptrdiff_t> arrange(const std::vector<int>& count, const std::vector<bool>& holds_sum);
 
   std::vector<Run> runs_, pieces_;
   std::vector<int> target_;

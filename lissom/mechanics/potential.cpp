@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kGroupGrain = 64;
 constexpr int kSumChunk = 256;
-constexpr int kClearGrain = 16384;
 
 /// Sum in chunks of fixed size: smaller rounding than a running sum, same bytes always.
 double chunked_sum(const double* x, std::ptrdiff_t n) {
@@ -78,7 +77,7 @@ void Potential::replace_terms(std::vector<std::unique_ptr<EnergyTerm>> terms) {
   LISSOM_ASSERT(terms.size() == terms_.size());
   for (size_t t = 0; t < terms.size(); ++t) {
     const std::span<const int> before = terms_[t]->indices(), after = terms[t]->indices();
-    LISSOM_ASSERT(terms[t]->name() == terms_[t]->name() &&
+    LISSOM_ASSERT(terms[t]->name() == terms_[t]->name() && terms[t]->has_hessian() == terms_[t]->has_hessian() &&
                   std::equal(before.begin(), before.end(), after.begin(), after.end()));
   }
   terms_ = std::move(terms);
@@ -102,21 +101,12 @@ double Potential::value(const State& state, AssemblyBuffers& buffers, ThreadPool
   return total;
 }
 
-void Potential::evaluate_blocks(const State& state, AssemblyBuffers& buffers, std::span<double> hessian_values,
+void Potential::evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian,
                                 ThreadPool* threads) const {
-  const bool with_hessian = !hessian_values.empty();
   grow(buffers.gradient, gradient_start_.back());
   if (with_hessian) grow(buffers.hessian, hessian_start_.back());
-  const int pieces = static_cast<int>(pieces_.size());
-  const int clears = static_cast<int>(hessian_values.size() / kClearGrain + 1);
-  parallel_for(threads, pieces + clears, 1, [&](int begin, int end) {
+  parallel_for(threads, static_cast<int>(pieces_.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      if (i >= pieces) {
-        const size_t first = static_cast<size_t>(i - pieces) * kClearGrain;
-        const std::span<double> rest = hessian_values.subspan(std::min(first, hessian_values.size()));
-        std::fill_n(rest.begin(), std::min<size_t>(kClearGrain, rest.size()), 0.0);
-        continue;
-      }
       const Piece& p = pieces_[i];
       const EnergyTerm& term = *terms_[p.term];
       double* hessian = with_hessian && term.has_hessian() ? buffers.hessian.data() + hessian_start_[p.term] : nullptr;
@@ -156,17 +146,17 @@ void Potential::turn_block(const Turned& turned, AssemblyBuffers& buffers, bool 
 }
 
 void Potential::gradient(const State& state, VecX& gradient, AssemblyBuffers& buffers, ThreadPool* threads) const {
-  evaluate_blocks(state, buffers, {}, threads);
-  gradient.setZero(dofs());
-  lists_.add_gradient(buffers.gradient.data(), gradient.data(), threads);
+  evaluate_blocks(state, buffers, false, threads);
+  gradient.resize(dofs());
+  lists_.sum_gradient(buffers.gradient.data(), gradient.data(), threads);
 }
 
 void Potential::hessian(const State& state, VecX& gradient, std::vector<double>& values, AssemblyBuffers& buffers,
                         ThreadPool* threads) const {
   values.resize(pattern_.nonzeros());
-  evaluate_blocks(state, buffers, values, threads);
-  gradient.setZero(dofs());
-  lists_.add_all(buffers.gradient.data(), gradient.data(), buffers.hessian.data(), values.data(), threads);
+  evaluate_blocks(state, buffers, true, threads);
+  gradient.resize(dofs());
+  lists_.sum_all(buffers.gradient.data(), gradient.data(), buffers.hessian.data(), values.data(), threads);
 }
 
 void Potential::to_global(VecX& dq) const {

@@ -69,9 +69,8 @@ class Potential {
     int term, begin, end;
   };
 
-  /// Blocks of all stencils; those of the Hessian only where its values are wanted, which are cleared.
-  void evaluate_blocks(const State& state, AssemblyBuffers& buffers, std::span<double> hessian_values,
-                       ThreadPool* threads) const;
+  /// Blocks of all stencils; those of the Hessian only where they are wanted.
+  void evaluate_blocks(const State& state, AssemblyBuffers& buffers, bool with_hessian, ThreadPool* threads) const;
   void turn_block(const Turned& turned, AssemblyBuffers& buffers, bool with_hessian) const;
 
   std::vector<std::unique_ptr<EnergyTerm>> terms_;

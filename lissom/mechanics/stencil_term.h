@@ -52,7 +52,7 @@ class StencilTerm final : public EnergyTerm {
   int stencils() const override { return static_cast<int>(energy_.stencils.size()); }
   int dofs() const override { return E::kDofs; }
   int rests() const override { return E::kRest; }
-  bool has_hessian() const override { return E::kHasHessian; }
+  bool has_hessian() const override { return has_hessian_; }
   std::span<const int> indices() const override { return indices_; }
 
   void energies(const State& state, int begin, int end, double* energy) const override {
@@ -192,12 +192,14 @@ class StencilTerm final : public EnergyTerm {
   void set_rest(int index, const VecX& rest) override {
     for (int i = 0; i < E::kRest; ++i) energy_.stencils[index].rest[i] = rest[i];
   }
-  std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown) const override {
+  std::unique_ptr<EnergyTerm> touching(const std::vector<bool>& unknown, bool with_hessian) const override {
     E part = energy_;
     std::erase_if(part.stencils, [&](const typename E::Stencil& s) {
       return std::none_of(s.dofs.begin(), s.dofs.end(), [&](int dof) { return unknown[dof]; });
     });
-    return std::make_unique<StencilTerm>(std::move(part));
+    auto term = std::make_unique<StencilTerm>(std::move(part));
+    term->has_hessian_ = term->has_hessian_ && with_hessian;
+    return term;
   }
 
  private:
@@ -270,6 +272,7 @@ class StencilTerm final : public EnergyTerm {
   E energy_;
   RestLinks links_;
   std::vector<int> indices_;
+  bool has_hessian_ = E::kHasHessian;
 };
 
 template <class E>

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fmt/format.h>
 #include <utility>
 
@@ -88,33 +87,35 @@ Status add_hinges(Draft& draft, size_t m) {
   const StructureMembrane& membrane = s.membranes[m];
   const int end = membrane.first_triangle + membrane.triangles;
   const auto corner = [&](int place, int next) { return s.triangles[place / 3].node[(place + next) % 3]; };
+  // Half edges by the node that they leave, in the order of their places: three times the triangle, and the corner.
+  const int begin = membrane.first_triangle;
+  std::vector<int> first(s.nodes.size() + 1, 0);
+  for (int place = 3 * begin; place < 3 * end; ++place) ++first[static_cast<size_t>(corner(place, 0)) + 1];
+  for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
   struct HalfEdge {
-    std::int64_t ends;
-    int place;  // three times the triangle, and the corner that it begins at
-    auto operator<=>(const HalfEdge&) const = default;
+    int end, place;
   };
-  const auto ends_of = [](int a, int b) { return (static_cast<std::int64_t>(a) << 32) + b; };
-  std::vector<HalfEdge> half_edges;
-  half_edges.reserve(static_cast<size_t>(3) * membrane.triangles);
-  for (int place = 3 * membrane.first_triangle; place < 3 * end; ++place) {
-    half_edges.push_back({ends_of(corner(place, 0), corner(place, 1)), place});
-  }
-  std::sort(half_edges.begin(), half_edges.end());
-  int twice = 3 * end;  // first place that runs along another one's edge in its direction
-  for (size_t i = 1; i < half_edges.size(); ++i) {
-    if (half_edges[i].ends == half_edges[i - 1].ends) twice = std::min(twice, half_edges[i].place);
-  }
-  if (twice < 3 * end) {
-    return not_a_surface(draft, m, corner(twice, 0), "has an edge that two triangles run along in the same direction",
+  std::vector<HalfEdge> leaving(static_cast<size_t>(3) * membrane.triangles);
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (int place = 3 * begin; place < 3 * end; ++place) leaving[next[corner(place, 0)]++] = {corner(place, 1), place};
+  /// The first place of the half edge from a to b, or -1.
+  const auto half_edge = [&](int a, int b) {
+    for (int i = first[a]; i < first[a + 1]; ++i) {
+      if (leaving[i].end == b) return leaving[i].place;
+    }
+    return -1;
+  };
+  for (int place = 3 * begin; place < 3 * end; ++place) {
+    if (half_edge(corner(place, 0), corner(place, 1)) == place) continue;
+    return not_a_surface(draft, m, corner(place, 0), "has an edge that two triangles run along in the same direction",
                          "turn one of them around; at most two triangles meet at an edge");
   }
-  for (int t = membrane.first_triangle; t < end; ++t) {
+  for (int t = begin; t < end; ++t) {
     for (int place = 3 * t; place < 3 * t + 3; ++place) {
       const int a = corner(place, 0), b = corner(place, 1);
-      const auto other = std::lower_bound(half_edges.begin(), half_edges.end(), HalfEdge{ends_of(b, a), 0});
-      if (other == half_edges.end() || other->ends != ends_of(b, a) || other->place / 3 < t) continue;
-      StructureHinge hinge{
-          {a, b, corner(place, 2), corner(other->place, 2)}, static_cast<int>(m), {t, other->place / 3}, 0};
+      const int other = half_edge(b, a);
+      if (other < 3 * t) continue;  // the rim, or done from the other side
+      StructureHinge hinge{{a, b, corner(place, 2), corner(other, 2)}, static_cast<int>(m), {t, other / 3}, 0};
       if (draft.model.membranes[m].rest_folds == RestFolds::kAsDrawn) {
         hinge.rest_angle = fold_angle<double>(s.nodes[hinge.node[0]], s.nodes[hinge.node[1]], s.nodes[hinge.node[2]],
                                               s.nodes[hinge.node[3]]);

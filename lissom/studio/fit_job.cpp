@@ -21,6 +21,7 @@ constexpr double kTooLittle = 0.02;   // of the value: gaining less, three times
 constexpr int kMostIdle = 3;
 constexpr double kNear = 0.1, kLittle = 0.2;  // the same where one time is enough, for somebody waits
 constexpr double kNearBound = 1e-6;           // of the range
+constexpr double kLeastDamped = 1e-2;
 
 std::vector<std::string> at_bounds(const ShapeFit& fit) {
   std::vector<std::string> names;
@@ -49,20 +50,23 @@ Json result_of(const ShapeFit& fit, double before) {
 std::optional<DesignVerdict> run_fit(ShapeFit& fit, const Context& context,
                                      const std::function<void(const FitRecord&)>& tell) {
   OptimizeOptions options;
-  // Many parameters hardly matter to a shape: damped steps leave them alone.
+  // Many parameters hardly matter to a shape: damped steps leave them alone, and do not ruin the mesh by them.
   options.method = DesignMethod::kLevenbergMarquardt;
+  options.least_damped = kLeastDamped;
   options.max_iterations = kMostIterations;
   options.value_tolerance = kNearEnough * kNearEnough * fit.value();
   options.decrease_tolerance = 1e-4;
   options.first_cap = 20;  // the step was looked at before it was accepted
   options.max_halvings = 5;
-  Optimizer optimizer(fit, options);
   const double start = fit.distance();
   tell({0, start, fit.value()});
-  for (int iteration = 1, idle = 0; idle < kMostIdle; ++iteration) {
+  int iteration = 0;
+  if (fit.approach()) tell({++iteration, fit.distance(), fit.value()});
+  Optimizer optimizer(fit, options);
+  for (int idle = 0; idle < kMostIdle;) {
     const double before = fit.value();
     if (!optimizer.step(context)) return optimizer.state().verdict;
-    tell({iteration, fit.distance(), fit.value()});
+    tell({++iteration, fit.distance(), fit.value()});
     if (optimizer.state().verdict || context.cancelled()) return optimizer.state().verdict;
     if (fit.distance() < kNear * start && before - fit.value() < kLittle * before) return DesignVerdict::kGoodEnough;
     if (fit.value() < before) idle = before - fit.value() < kTooLittle * before ? idle + 1 : 0;

@@ -177,6 +177,7 @@ ShapeTarget Handle::target() const {
   ShapeTarget target;
   const System& system = response_->system();
   target.places = last_->state.q.head(3 * system.layout.nodes());
+  target.p = last_->answer.p;
   target.nodes = spread_nodes(system, kMostTargets);
   target.weights.assign(target.nodes.size(), 1);
   for (const PulledNode& pulled : edit_->pulled()) {

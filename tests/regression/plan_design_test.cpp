@@ -76,6 +76,7 @@ TEST(PlanDesign, ADraggedPointIsFollowedAcrossRemeshing) {
       ++remeshed;
       EXPECT_FALSE(change.value().reason.empty());
       EXPECT_NEAR(height(*design), before, 0.02 * before) << k;
+      EXPECT_LE(design->equilibrium().factorizations, 5) << k;  // 14 to 24 where rods do not keep their lengths
     } else {
       EXPECT_LE(design->equilibrium().factorizations, 2) << k;
     }
@@ -129,7 +130,11 @@ TEST(PlanDesign, AShapeCarriedToItsOwnMeshIsTheSame) {
   ASSERT_TRUE(plan.ok());
   const PlanStage stage{*design->model().plan, plan.value(), design->system()};
   const State& state = design->equilibrium().state;
-  const State carried = carried_over(stage, state, stage);
+  const auto [carried, strains] = carried_over(stage, state, stage);
+  for (int e = 0; e < design->system().edge_count(); ++e) {
+    const double strain = state.edges[e].length / design->system().rest.edges[e].length - 1;
+    EXPECT_NEAR(strains[e], strain, 1e-12) << e;
+  }
   EXPECT_LT((carried.q - state.q).head(3 * design->system().layout.nodes()).cwiseAbs().maxCoeff(), 1e-9);
   AssemblyBuffers buffers;
   const double energy = design->problem().potential.value(state, buffers);

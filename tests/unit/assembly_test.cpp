@@ -106,7 +106,7 @@ TEST(Assembly, LeavesOutWhatIsNotWanted) {
     for (int i = 0; i < 3; ++i) wanted[3 * edge.node0 + i] = wanted[3 * edge.node1 + i] = true;
   }
   std::vector<std::unique_ptr<EnergyTerm>> terms;
-  for (const auto& term : whole.terms()) terms.push_back(term->touching(every));
+  for (const auto& term : whole.terms()) terms.push_back(term->touching(every, true));
   const Potential part(whole.dofs(), std::move(terms), {}, wanted);
   const State state = shaken(*ready.system, 1e-4 * ready.system->structure.size);
   VecX whole_gradient, gradient;

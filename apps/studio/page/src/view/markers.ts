@@ -1,4 +1,4 @@
-// Small things of constant size on the screen: control points as discs, pins as pyramids, tips of the gizmo's arrows.
+// Small things of constant size on the screen: control points as discs, pins as pyramids, what is held still as cubes.
 
 import { BufferAttribute, InstancedBufferGeometry, Mesh, type RawShaderMaterial } from 'three';
 import type { Colour } from '../core/colours';
@@ -12,18 +12,16 @@ uniform float facing;     // 1: lies in the plane of the screen
 in vec3 position;
 in vec3 normal;
 in vec3 place;
-in vec4 turn;             // quaternion
 in vec4 paint;
 in float size;            // pixels
 out vec4 painted;
 out vec3 seenNormal;
-vec3 turned(vec3 p) { return p + 2.0 * cross(turn.xyz, cross(turn.xyz, p) + turn.w * p); }
 void main() {
   vec4 middle = modelViewMatrix * vec4(place, 1.0);
   float depth = projectionMatrix[3][3] == 1.0 ? 1.0 : -middle.z;
   float grow = size * pixel * depth;
-  vec3 local = facing > 0.5 ? position : mat3(modelViewMatrix) * turned(position);
-  seenNormal = facing > 0.5 ? vec3(0.0, 0.0, 1.0) : mat3(modelViewMatrix) * turned(normal);
+  vec3 local = facing > 0.5 ? position : mat3(modelViewMatrix) * position;
+  seenNormal = facing > 0.5 ? vec3(0.0, 0.0, 1.0) : mat3(modelViewMatrix) * normal;
   vec4 seen = vec4(middle.xyz + grow * local, 1.0);
   seen.xyz *= 0.996;
   painted = paint;
@@ -47,10 +45,9 @@ export interface Marker {
   colour: Colour;
   /** Pixels across. */
   size: number;
-  turn?: [number, number, number, number];
 }
 
-type Shape = 'disc' | 'pyramid' | 'cone' | 'cube';
+type Shape = 'disc' | 'pyramid' | 'cube';
 
 export class Markers {
   readonly mesh: Mesh<InstancedBufferGeometry, RawShaderMaterial>;
@@ -74,22 +71,20 @@ export class Markers {
     const n = markers.length;
     this.mesh.visible = n > 0;
     if (n === 0) return;
-    resize(this.mesh, n, () => geometryOf(this.shape), { place: 3, turn: 4, paint: 4, size: 1 });
-    const [place, turn, paint, size] = ['place', 'turn', 'paint', 'size'].map((name) => writing(this.mesh, name));
+    resize(this.mesh, n, () => geometryOf(this.shape), { place: 3, paint: 4, size: 1 });
+    const [place, paint, size] = ['place', 'paint', 'size'].map((name) => writing(this.mesh, name));
     markers.forEach((marker, i) => {
       place.set([marker.place[0], marker.place[1], marker.place[2]], 3 * i);
-      turn.set(marker.turn ?? [0, 0, 0, 1], 4 * i);
       paint.set([marker.colour[0] / 255, marker.colour[1] / 255, marker.colour[2] / 255, 1], 4 * i);
       size[i] = marker.size;
     });
   }
 }
 
-/** Shapes of size 1; pyramid and cone have their tip at the origin and at +z respectively. */
+/** Shapes of size 1; the pyramid has its tip at the origin. */
 function geometryOf(shape: Shape): InstancedBufferGeometry {
   if (shape === 'disc') return fan(16, 0.5, 0, 0);
   if (shape === 'pyramid') return fan(4, 0.5, -1, 0);
-  if (shape === 'cone') return fan(14, 0.32, -0.5, 0.5);
   return cube();
 }
 

@@ -1,10 +1,11 @@
-// What is drawn over the 3D picture with pen and ink: box and lasso, the soft radius, the scale, the label at the pointer.
+// What is drawn over the 3D picture with pen and ink: box and lasso, the handle and its soft radius, the scale, the label at the pointer.
 
 import { Projector, scaleOf } from '../core/camera';
 import { pixelAt, poseText } from '../core/gizmo';
 import { gizmoPlace } from '../core/handles';
 import { niceLength } from '../core/scale_bar';
 import * as store from '../core/store';
+import { Gizmo } from './gizmo_overlay';
 import { label, marquee, typed } from './local';
 
 function points(corners: readonly (readonly [number, number])[]): string {
@@ -17,7 +18,7 @@ function Marquee() {
   return <polygon class={shown.touching ? 'marquee touching' : 'marquee'} points={points(shown.corners)} />;
 }
 
-/** The soft radius about the handle, and what the handle has been asked for. */
+/** The handle, the soft radius about it, and what the handle has been asked for. */
 function Handle() {
   const center = store.workMode.value === 'shape' ? gizmoPlace() : null;
   if (!center) return null;
@@ -28,6 +29,7 @@ function Handle() {
   const text = typed.value !== '' ? typed.value : poseText(store.handlePose.value);
   return (
     <g>
+      <Gizmo projector={projector} center={center} />
       <circle class="soft-radius" cx={at[0]} cy={at[1]} r={radius} />
       {text !== '' && (
         <text class="overlay-text strong" x={at[0] + 14} y={at[1] - 14}>

@@ -44,15 +44,12 @@ export class View {
   readonly lines = {
     dashed: new ScreenLines(),
     links: new ScreenLines({ depthTest: false, order: 6 }),
-    gizmo: new ScreenLines({ depthTest: false, order: 9 }),
   };
   readonly markers = {
     points: new Markers('disc', { order: 7 }),
     pins: new Markers('pyramid'),
     still: new Markers('cube', { depthTest: false, order: 7 }),
     targets: new Markers('disc', { depthTest: false, order: 6 }),
-    tips: new Markers('cone', { depthTest: false, order: 10 }),
-    knobs: new Markers('cube', { depthTest: false, order: 10 }),
   };
   /** Called after each picture. */
   onDrawn: () => void = () => {};

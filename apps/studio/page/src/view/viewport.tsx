@@ -4,14 +4,11 @@
 import { effect } from '@preact/signals-core';
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { Projector } from '../core/camera';
-import { gizmoPlace } from '../core/handles';
 import { note, notePreview, noteShape } from '../core/latency';
 import * as store from '../core/store';
 import { frameShape } from './camera_motion';
 import { currentView, setCurrentView } from './current';
-import { drawGizmo } from './gizmo_picture';
-import { hotGrip, label } from './local';
+import { label } from './local';
 import { Overlay } from './overlay';
 import { takeMachine } from './machine';
 import { listen3d } from './pointer3d';
@@ -39,7 +36,7 @@ export function Viewport({ children }: { children?: ComponentChildren }) {
     holder.current.append(canvas);
     const view = new View(machine, machine.software ? kLowQuality : highQuality());
     setCurrentView(view);
-    const ends = [follow(canvas), sync(view), listen3d(surface.current), gizmo(view), frames(), watch(view)];
+    const ends = [follow(canvas), sync(view), listen3d(surface.current), frames(), watch(view)];
     return () => {
       ends.forEach((end) => end());
       view.dispose();
@@ -75,16 +72,6 @@ function follow(canvas: HTMLCanvasElement): () => void {
   });
   observer.observe(canvas);
   return () => observer.disconnect();
-}
-
-function gizmo(view: View): () => void {
-  return effect(() => {
-    const held = store.workMode.value === 'shape' ? gizmoPlace() : null;
-    void store.dark.value;
-    const projector = held ? new Projector(store.camera.value, store.viewSize.value) : null;
-    drawGizmo(view, projector, held, hotGrip.value, store.gizmoKind.value);
-    view.invalidate();
-  });
 }
 
 /** The first shape of each design is shown whole. */
