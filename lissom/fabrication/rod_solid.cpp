@@ -152,6 +152,15 @@ int nearest_rod(const std::vector<RodPiece>& pieces, const Vec3& place) {
   return rod;
 }
 
+/// m, the least half-extent of a section.
+double thinnest(const std::vector<RodPiece>& pieces) {
+  double least = INFINITY;
+  for (const RodPiece& piece : pieces) {
+    for (const RodStation& s : piece.stations) least = std::min({least, s.r_b, s.r_n});
+  }
+  return least;
+}
+
 Result<RodSolid> solid_of(const Structure& structure, const std::vector<RodPiece>& all, const SolidOptions& options,
                           const Context& context) {
   SolidCheck check;
@@ -168,6 +177,7 @@ Result<RodSolid> solid_of(const Structure& structure, const std::vector<RodPiece
     RodSolid solid;
     solid.surface = std::move(made).value();
     solid.cavities = fill_cavities(solid.surface);
+    drop_flakes(solid.surface, std::pow(thinnest(pieces), 3));
     drop_unused_vertices(solid.surface);
     check = check_solid(solid.surface, context);
     if (!check.ok()) continue;

@@ -24,7 +24,7 @@ struct RodSolid {
   double volume = 0;     ///< m^3
   double tolerance = 0;  ///< m, reached: above the one asked for where triangles would have been too many
   double cell = 0;       ///< m, of the coarsest lattice: gaps that are narrower may be closed
-  int parts = 0;         ///< connected ones
+  int parts = 0;         ///< connected ones; flakes that are smaller than a rod is thick are left out
   int tubes = 0;         ///< stretches where rods run alone and are rings of sections
   int joints = 0;        ///< places where rods are near each other, whose surface was looked for on a lattice
   int cavities = 0;      ///< closed ones that were filled

@@ -100,6 +100,25 @@ std::vector<double> volumes_of(const Surface& surface, const std::vector<int>& p
   return volume;
 }
 
+/// Takes away the parts whose volume is to go; how many there were.
+template <class Goes>
+int drop_parts(Surface& surface, const Goes& goes) {
+  const std::vector<int> part = parts_of(surface);
+  const std::vector<double> volumes = volumes_of(surface, part);
+  std::vector<bool> dropped(volumes.size(), false);
+  std::vector<std::array<int, 3>> kept;
+  for (const std::array<int, 3>& t : surface.triangles) {
+    const int p = part[t[0]];
+    if (goes(volumes[p])) {
+      dropped[p] = true;
+    } else {
+      kept.push_back(t);
+    }
+  }
+  surface.triangles = std::move(kept);
+  return static_cast<int>(std::count(dropped.begin(), dropped.end(), true));
+}
+
 SolidCheck found(const char* problem, const Vec3& place) {
   SolidCheck check;
   check.problem = problem;
@@ -133,16 +152,11 @@ SolidCheck check_solid(const Surface& surface, const Context& context) {
 }
 
 int fill_cavities(Surface& surface) {
-  const std::vector<int> part = parts_of(surface);
-  const std::vector<double> volumes = volumes_of(surface, part);
-  const int cavities = static_cast<int>(std::count_if(volumes.begin(), volumes.end(), [](double v) { return v < 0; }));
-  if (cavities == 0) return 0;
-  std::vector<std::array<int, 3>> kept;
-  for (const std::array<int, 3>& t : surface.triangles) {
-    if (volumes[part[t[0]]] >= 0) kept.push_back(t);
-  }
-  surface.triangles = std::move(kept);
-  return cavities;
+  return drop_parts(surface, [](double volume) { return volume < 0; });
+}
+
+int drop_flakes(Surface& surface, double least) {
+  return drop_parts(surface, [&](double volume) { return volume >= 0 && volume < least; });
 }
 
 }  // namespace lissom

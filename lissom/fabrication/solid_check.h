@@ -26,4 +26,7 @@ SolidCheck check_solid(const Surface& surface, const Context& context);
 /// Takes away parts that are inside out: the walls of closed cavities, which nobody could empty. Says how many.
 int fill_cavities(Surface& surface);
 
+/// Takes away parts of less than this volume (m^3). Says how many.
+int drop_flakes(Surface& surface, double least);
+
 }  // namespace lissom

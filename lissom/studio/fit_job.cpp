@@ -21,7 +21,8 @@ constexpr double kTooLittle = 0.02;   // of the value: gaining less, three times
 constexpr int kMostIdle = 3;
 constexpr double kNear = 0.1, kLittle = 0.2;  // the same where one time is enough, for somebody waits
 constexpr double kNearBound = 1e-6;           // of the range
-constexpr double kLeastDamped = 2e-6;  // of the largest: less lets points run into each other, much more keeps them from moving
+constexpr double kLeastDamped =
+    2e-6;  // of the largest: less lets points run into each other, much more keeps them from moving
 
 std::vector<std::string> at_bounds(const ShapeFit& fit) {
   std::vector<std::string> names;

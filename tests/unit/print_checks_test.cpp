@@ -212,6 +212,16 @@ TEST(SolidCheck, FillsCavities) {
   EXPECT_NEAR(check_solid(hollow, {}).volume, 1.0 / 6, 1e-12);
 }
 
+TEST(SolidCheck, DropsFlakes) {
+  Surface flake = tetrahedron(Vec3::Zero());
+  for (Vec3& x : flake.vertices) x = 1e-3 * x + Vec3(2, 0, 0);
+  Surface both = with(tetrahedron(Vec3::Zero()), flake);
+  EXPECT_EQ(drop_flakes(both, 1e-10), 0);
+  EXPECT_EQ(drop_flakes(both, 1e-9), 1);
+  EXPECT_EQ(both.triangles.size(), 4u);
+  EXPECT_EQ(check_solid(both, {}).parts, 1);
+}
+
 /// Directed segments of a case on a side of the cube, as pairs of cut edges named by their two corners.
 std::multiset<std::array<int, 4>> segments_on(int which, int axis, int level) {
   const auto corners = [](int edge) {
