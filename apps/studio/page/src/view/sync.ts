@@ -28,6 +28,9 @@ export function sync(view: View): () => void {
       view.hurry();
     }),
     effect(() => {
+      if (store.dragging.value === 0) view.hurry();
+    }),
+    effect(() => {
       const { value } = store.quality;
       const low = value === 'low' || (value === 'auto' && store.softwareRenderer.value);
       view.setQuality(low ? kLowQuality : highQuality());
@@ -41,7 +44,7 @@ export function sync(view: View): () => void {
       const { topology, shape } = value;
       if (shown.peek()?.topology !== topology.topology) view.setTopology(topology);
       shown.value = topology;
-      view.hurry();
+      view.hurry(store.dragging.peek() !== 0);
       view.setShape(shape, fieldOf(shape.field_rods, store.rodField.value) !== null, fieldOf(shape.field_fabric, store.fabricField.value) !== null);
     }),
     effect(() => {

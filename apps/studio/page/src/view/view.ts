@@ -28,8 +28,10 @@ export function highQuality(): ViewQuality {
 }
 export const kLowQuality: ViewQuality = { sides: 6, pixelRatio: 1, hurriedShare: 0.6 };
 
-/** How long things have to rest before they are drawn finely, ms. */
+/** How long things have to rest before they are drawn finely, ms. A fine picture takes as long as three others: while somebody
+ *  drags it would be in the way of the next shape. */
 const kRestMs = 220;
+const kRestInDragMs = 700;
 
 export type GhostName = 'flat' | 'previous' | 'preview' | 'mode' | 'branch';
 
@@ -121,14 +123,14 @@ export class View {
   }
 
   /** Things move now: pictures may be coarser until they rest. */
-  hurry(): void {
+  hurry(inDrag = false): void {
     if (this.quality.hurriedShare === 1) return;
     this.share = this.quality.hurriedShare;
     clearTimeout(this.restTimer);
     this.restTimer = setTimeout(() => {
       this.share = 1;
       this.invalidate();
-    }, kRestMs);
+    }, inDrag ? kRestInDragMs : kRestMs);
   }
 
   setCamera(camera: Camera): void {
