@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <poll.h>
+#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -30,6 +32,7 @@ namespace fs = std::filesystem;
 constexpr unsigned short kFirstPort = 17766, kLastPort = 17775;
 constexpr const char* kFirstDesign = "butterfly";
 constexpr int kWaitMilliseconds = 100;
+constexpr int kPatience = 5;  // nice value of the engine
 
 struct Arguments {
   std::string file, folder;
@@ -73,6 +76,17 @@ Result<StudioOptions> studio_options(const Arguments& arguments) {
   }
   options.file = below.generic_string();
   return options;
+}
+
+/// A studio that lets the browser go first where there are no cores to spare: what the pointer moves has to follow it, and a
+/// picture that nobody gets to see is no use. Threads are as patient as the one that starts them, and this one starts the browser.
+Result<std::unique_ptr<Studio>> patient_studio(const StudioOptions& options) {
+  std::optional<Result<std::unique_ptr<Studio>>> studio;
+  std::thread([&] {
+    ::setpriority(PRIO_PROCESS, 0, kPatience);  // of the calling thread
+    studio.emplace(Studio::make(options));
+  }).join();
+  return std::move(*studio);
 }
 
 /// A server at the port that was asked for, or at the first of ours that is free, or at any.
@@ -119,7 +133,7 @@ int run_studio(const Arguments& arguments) {
   Result<StudioOptions> options = studio_options(arguments);
   if (!options) return report(options.error());
   catch_interrupts();
-  Result<std::unique_ptr<Studio>> studio = Studio::make(options.value());
+  Result<std::unique_ptr<Studio>> studio = patient_studio(options.value());
   if (!studio) return report(studio.error(), arguments.file);
   Result<std::unique_ptr<StudioServer>> server = start_server(*studio.value(), arguments);
   if (!server) return report(server.error());
