@@ -15,9 +15,7 @@ constexpr double kLeastShift = 1e-6, kMostShift = 1e3, kShiftGrowth = 16, kShift
 constexpr double kMostTurn = 0.5;  // rad, of a roll or joint rotation in one step
 constexpr double kEnergyNoise = 1e-13;
 constexpr double kSlight = 1e-2;  // of the least stiffness of a rod's bend: what rods next to a fold do not notice
-
-constexpr double kServes =
-    0.03;  // of the forces before a step: where no more are left, its factor serves for the next one
+constexpr double kServes = 0.03;  // of the forces before a step: where no more are left its factor serves once more
 
 /// Whether membranes fold so easily that their bending need not be in the matrix of the rods: it stays in their balance and in
 /// the energies, and is the dearest block of all to find and to add.

@@ -1,8 +1,8 @@
 #pragma once
 /// Brings a part of the unknowns into balance while all others are held: a small system next to the whole one, solved
 /// inside a trial step so that the energies of trials are not spoiled by what is stiff and local [convergence 4, F and B;
-/// section 3]. Only stencils that touch the part are assembled,
-/// and of fabrics that fold more easily than any rod no second derivatives of bending.
+/// section 3]. Only stencils that touch the part are assembled, and of fabrics that fold more easily than any rod no second
+/// derivatives of bending.
 
 #include <memory>
 #include <optional>

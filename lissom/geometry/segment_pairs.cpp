@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lissom {
@@ -46,7 +47,8 @@ std::vector<std::array<int, 2>> near_segments(std::span<const Vec2> points,
     length += (end(k) - start(k)).norm() / double(segments.size());
   }
   constexpr double kMostCells = 300;  // along a side, so that long segments among short ones stay affordable
-  const double cell = std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells});
+  const double cell =
+      std::max({2 * length, 2 * distance, (high - low).maxCoeff() / kMostCells, std::numeric_limits<double>::min()});
   // Cells that each segment may be near to, first and last column and row, within those where there are segments.
   using Cells = std::array<int, 4>;
   const auto number = [&](double x, double from) { return static_cast<int>(std::floor((x - from) / cell)); };

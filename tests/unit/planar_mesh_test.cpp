@@ -145,6 +145,10 @@ TEST(SegmentPairs, AgreeWithAllPairs) {
   }
   EXPECT_GT(expected.size(), 50u);
   EXPECT_EQ(near_segments(points, segments, 0.02), expected);
+  // Everything in one place, and no distance.
+  const std::vector<Vec2> still(4, Vec2(0.3, 0.4));
+  const std::vector<std::array<int, 2>> both{{0, 1}, {2, 3}}, one_pair{{0, 1}};
+  EXPECT_EQ(near_segments(still, both, 0), one_pair);
 }
 
 TEST(BSplines, BecomeTheSameCurve) {
