@@ -104,7 +104,7 @@ Status LiveDesign::take(const Model& model, std::shared_ptr<const PlanMesh> mesh
   return {};
 }
 
-Result<DesignChange> LiveDesign::change(const Model& changed) {
+Result<DesignChange> LiveDesign::change(const Model& changed, const MeshLimits& limits) {
   if (!changed.plan) {
     return Error{ErrorCode::kConflict, "/plan", "the changed model has no plan", "describe the structure by a plan"};
   }
@@ -113,7 +113,7 @@ Result<DesignChange> LiveDesign::change(const Model& changed) {
                  "keep the pose, or open the design anew"};
   }
   if (!same_rods(*model_.plan, *changed.plan)) return remesh(changed, "points or rods were added or taken away");
-  const MeshFit fit = mesh_->fit(*changed.plan, options_.mesh);
+  const MeshFit fit = mesh_->fit(*changed.plan, limits);
   return fit.good ? follow(changed) : remesh(changed, fit.reason);
 }
 

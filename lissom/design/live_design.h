@@ -53,7 +53,12 @@ class LiveDesign {
 
   /// Takes over another model, with any points, rods and numbers, and follows it. After an error all is as before. A shape
   /// that is not stable in the end is kept and is where the next change starts.
-  Result<DesignChange> change(const Model& changed);
+  Result<DesignChange> change(const Model& changed) { return change(changed, options_.mesh); }
+  /// The same where the mesh at hand has to serve within other limits.
+  Result<DesignChange> change(const Model& changed, const MeshLimits& limits);
+
+  /// Whether the mesh is one that change() would keep for the present plan.
+  bool mesh_fits() const { return mesh_->fit(*model_.plan, options_.mesh).good; }
 
   /// Takes over another model with a state of it on a mesh of its own, as it was kept. After an error all is as before.
   Status take(const Model& model, std::shared_ptr<const PlanMesh> mesh, const State& equilibrium);

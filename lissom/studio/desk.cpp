@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lissom/core/nearest_name.h"
+#include "lissom/core/spare_memory.h"
 #include "lissom/editing/edits_json.h"
 #include "lissom/editing/plan_json.h"
 #include "lissom/equilibrium/solve.h"
@@ -50,6 +51,7 @@ void Desk::take_over(OpenProject project, const std::string& kept_state) {
   kept_.clear();
   shape_.forget();
   tools_.forget();
+  give_back_spare_memory();
   project_.emplace(std::move(project));
   model_ = project_->history.model();
   following_ = Following::kRunning;
@@ -217,8 +219,8 @@ Result<Json> Desk::drag(int page, int number, const Json& edit) {
 }
 
 Result<Json> Desk::end_drag(int number, const Json& edit) {
-  // Most drags end where the last move was: then the shape is there already.
-  if (!drag_ || drag_->number != number || drag_->edit != edit || !drag_->shown) {
+  // Most drags end where the last move was: then the shape is there already, and often on a mesh that fits.
+  if (!drag_ || drag_->number != number || drag_->edit != edit || !drag_->shown || !shape_.mesh_fits()) {
     Result<Json> answer = this->edit(edit);
     if (!answer) cancel_drag();
     return answer;

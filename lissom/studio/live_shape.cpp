@@ -18,6 +18,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::chrono::milliseconds kBetweenShapes{30};  // of a solve under way
+// While somebody drags, the shape comes first; a mesh that fits comes where the drag ends.
+constexpr MeshLimits kWhileDragged{.angle_ratio = 0.35, .length_ratio = 1.8, .turn_ratio = 2.5};
 
 const Pose& pose_of(const LiveDesign& design) { return design.model().poses[static_cast<std::size_t>(design.pose())]; }
 
@@ -74,7 +76,8 @@ Status LiveShape::release(const Model& model, const Occasion& occasion) {
 Status LiveShape::follow(const Model& model, const Occasion& occasion) {
   if (!design_) return release(model, occasion);
   begin(occasion);
-  const Result<DesignChange> change = design_->change(with_a_pose(model));
+  const Model posed = with_a_pose(model);
+  const Result<DesignChange> change = occasion.drag == 0 ? design_->change(posed) : design_->change(posed, kWhileDragged);
   if (!change) return change.error();
   std::string note;
   if (change.value().following.jumped) {
@@ -225,8 +228,11 @@ void LiveShape::judge(const LiveDesign& design, std::string note, bool new_mesh)
     shown_ = pinned(design, equilibrium.state);
     renew_pins(design);
     show_settled();
-    pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
+  } else {
+    // Pages have seen states on the way, and are told that nothing more comes of this plan.
+    shape_pack_ = shape_of(design, shown_, equilibrium.residual, false);
   }
+  pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
   if (occasion_.drag == 0 && !new_mesh) show_flat(design);
   verdict_ = verdict_event(equilibrium, story);
   pages_.tell_all(verdict_);

@@ -37,7 +37,8 @@ class LiveShape {
 
   /// Releases a plan from its flat state.
   Status release(const Model& model, const Occasion& occasion);
-  /// Follows a changed plan. After an error the shape is that of before.
+  /// Follows a changed plan; in a drag with the mesh at hand for as long as it will do. After an error the shape is that of
+  /// before.
   Status follow(const Model& model, const Occasion& occasion);
   /// Stands at a shape that was kept, of this plan.
   Status stand(const Model& model, const ShapeSnapshot& kept, const Occasion& occasion);
@@ -51,6 +52,8 @@ class LiveShape {
 
   /// Null when there is none, or one to look at only.
   const LiveDesign* design() const { return design_.get(); }
+  /// Whether the shape is on a mesh that it would have without drags, too.
+  bool mesh_fits() const { return !design_ || design_->mesh_fits(); }
   ShapeSnapshot snapshot() const;
   /// The equilibrium as it is shown: where pinned points stay.
   const State& shown() const { return shown_; }

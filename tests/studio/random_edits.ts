@@ -183,7 +183,7 @@ export class RandomEdits {
     const { page } = this;
     const at = await stepOf(page);
     await kinds[kind](this.hands);
-    const taken = await this.outcome(at);
+    const taken = await this.outcome(at, kind);
     // What was refused says so until it is put away; a tool gives way to selecting, then nothing is selected.
     const dismiss = page.getByRole('button', { name: 'Dismiss' });
     if (await dismiss.isVisible()) await dismiss.click();
@@ -193,7 +193,7 @@ export class RandomEdits {
   }
 
   /** Waits until there is another step, or a word why not; an edit that changes nothing says neither. */
-  private async outcome(at: number): Promise<boolean> {
+  private async outcome(at: number, kind: EditKind): Promise<boolean> {
     const { page } = this;
     const answered = (before: number) => {
       const hook = window.lissomTest;
@@ -202,7 +202,11 @@ export class RandomEdits {
     };
     await page.waitForFunction(answered, at, { timeout: 1000, polling: 20 }).catch(() => undefined);
     // A busy machine may need longer, but never for ever.
-    await page.waitForFunction(() => window.lissomTest.busy() === '', undefined, { timeout: 60_000, polling: 20 });
+    const idle = page.waitForFunction(() => window.lissomTest.busy() === '', undefined, { timeout: 60_000, polling: 20 });
+    await idle.catch(async (e) => {
+      const [busy, plan] = await page.evaluate(() => [window.lissomTest.busy(), JSON.stringify(window.lissomTest.plan())]);
+      throw new Error(`after "${kind}": still busy with ${busy}, of the plan ${plan}`, { cause: e });
+    });
     return (await stepOf(page)) !== at;
   }
 

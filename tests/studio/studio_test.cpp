@@ -136,6 +136,23 @@ TEST(Studio, AnEditThatCannotBeBuiltLeavesAllAsItWas) {
   EXPECT_EQ(page.event("history")["at"], 1);
 }
 
+TEST(Studio, APlanWithoutAShapeShowsTheLastGoodOne) {
+  const StudioFolder folder("last-good");
+  const auto studio = studio_in(folder, "disc-empty");
+  StudioPage page(*studio);
+  page.good({{"do", "hello"}, {"protocol", 1}});
+  const std::vector<float> good = page.pack("shape", settled).floats("positions");
+  // So much that it is still far from rest after all iterations.
+  page.good({{"do", "edit"}, {"edit", {{"name", "set_pre_stretch"}, {"along", {3, 3}}}}});
+  const Json verdict = page.event("verdict", [](const Json& e) { return !e["settled"].get<bool>(); });
+  EXPECT_EQ(verdict["shown"], "last good");
+  // What pages saw on the way has gone, and they need not wait for anything.
+  const ReadPack shown = page.pack("shape");
+  EXPECT_EQ(shown.header["plan_revision"], page.event("plan")["revision"]);
+  EXPECT_FALSE(settled(shown));
+  EXPECT_EQ(shown.floats("positions"), good);
+}
+
 TEST(Studio, RefusesWhatMakesNoSense) {
   const StudioFolder folder("sense");
   const auto studio = studio_in(folder);
