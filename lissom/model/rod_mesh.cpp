@@ -14,7 +14,11 @@ namespace {
 
 constexpr double kOvershoot = 0.125;  // of the range: how far radii between controls may leave it [mathematics 6.1]
 
-Status check_region(const DeformerRegion& region, const std::string& where) {
+Status check_region(const DeformerRegion& region, DeformerBrief::Kind kind, const std::string& where) {
+  if (region.depth > 0 && kind == DeformerBrief::Kind::kShell) {
+    return Error{ErrorCode::kConflict, where + "/depth", "a shell has nothing below its surface",
+                 "make the deformer a solid, or leave the depth out"};
+  }
   if (region.low.has_value() != region.high.has_value()) {
     return Error{ErrorCode::kConflict, where, "a box needs both corners", "give \"low\" and \"high\", or neither"};
   }
@@ -98,7 +102,7 @@ Status RodMeshProject::validate() const {
   for (std::size_t d = 0; d < deformers.size(); ++d) {
     for (std::size_t r = 0; r < deformers[d].regions.size(); ++r) {
       const std::string where = fmt::format("/deformers/{}/regions/{}", deformers[d].name, r);
-      if (Status s = check_region(deformers[d].regions[r], where); !s) return s;
+      if (Status s = check_region(deformers[d].regions[r], deformers[d].kind, where); !s) return s;
     }
   }
   std::set<std::string> names;

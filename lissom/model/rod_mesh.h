@@ -54,11 +54,12 @@ struct MeshRods {
   int valence = 6;                    ///< most rods that merging may bring to a joint
 };
 
-/// A part of a surface or solid that differs from the rest: inside a box, and painted at least so dark.
+/// A part of a surface or solid that differs from the rest: inside a box, painted at least so dark, and so far inside.
 struct DeformerRegion {
   std::optional<Vec3> low, high;      ///< m, corners of the box; everywhere when absent
   double dark = 0;                    ///< least darkness, 0 to 1
-  double blend = 0;                   ///< m, width over which the box fades outwards
+  double depth = 0;                   ///< m, least depth below the surface; 0 in shells, which have none
+  double blend = 0;                   ///< m, width over which box and depth fade outwards
   double stiffness = 1, density = 1;  ///< factors
 };
 

@@ -184,8 +184,10 @@ void describe(Fields& fields, DeformerRegion& region) {
       .field("high", region.high, VectorOf{Measure::kLength}, kOptional, "Upper corner of the box.")
       .field("dark", region.dark, NumberOf{Measure::kRatio, between(0, 1)}, kOptional,
              "Only where the surface is painted at least so dark.")
+      .field("depth", region.depth, NumberOf{Measure::kLength, kNotNegative}, kOptional,
+             "Only so far below the surface, in bodies: a core inside of a skin.")
       .field("blend", region.blend, NumberOf{Measure::kLength, kNotNegative}, kOptional,
-             "Width over which the box fades outwards.")
+             "Width over which box and depth fade outwards.")
       .field("stiffness", region.stiffness, factor, kOptional, "Factor of the stiffness.")
       .field("density", region.density, factor, kOptional, "Factor of the density.");
 }

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include "lissom/equilibrium/settled.h"
-#include "lissom/geometry/surface_locate.h"
 #include "lissom/geometry/tetrahedra.h"
+#include "lissom/geometry/triangle_point.h"
+#include "lissom/geometry/triangle_surface.h"
 #include "lissom/posing/stiffness_map.h"
 
 namespace lissom {
@@ -26,6 +27,15 @@ double darkness_at(const Surface& surface, const SurfacePlace& place) {
   return sum;
 }
 
+/// The inside is as the surface nearest to it is painted.
+PartPlace place_inside(const Surface& surface, const TriangleSurface& distances, const Vec3& x) {
+  const NearestPoint nearest = distances.nearest(x);
+  const auto& corner = surface.triangles[at(nearest.triangle)];
+  const Vec3 weights = nearest_in_triangle(surface.vertices[at(corner[0])], surface.vertices[at(corner[1])],
+                                           surface.vertices[at(corner[2])], x);
+  return {x, darkness_at(surface, {nearest.triangle, weights}), (x - nearest.point).norm()};
+}
+
 /// A membrane of the surface's triangles that bends as a plate of that thickness does.
 Membrane shell_of(const DeformerBrief& brief, const Surface& surface) {
   Membrane membrane;
@@ -36,7 +46,7 @@ Membrane shell_of(const DeformerBrief& brief, const Surface& surface) {
   mesh.triangles = surface.triangles;
   for (int t = 0; !brief.regions.empty() && t < static_cast<int>(surface.triangles.size()); ++t) {
     const SurfacePlace middle{t, Vec3::Constant(1.0 / 3)};
-    const PartFactors factors = factors_at(brief.regions, position(surface, middle), darkness_at(surface, middle));
+    const PartFactors factors = factors_at(brief.regions, {position(surface, middle), darkness_at(surface, middle), 0});
     mesh.stiffness.push_back(factors.stiffness);
     mesh.density.push_back(factors.density);
   }
@@ -54,20 +64,20 @@ MembraneMaterial shell_material(const DeformerBrief& brief) {
   return material;
 }
 
-Solid body_of(const DeformerBrief& brief, const Surface& surface, TetrahedralMesh mesh) {
+Result<Solid> body_of(const DeformerBrief& brief, const Surface& surface, TetrahedralMesh mesh) {
   Solid solid;
   solid.name = kName;
   solid.material = brief.name;
-  const bool painted = !surface.darkness.empty() && std::any_of(brief.regions.begin(), brief.regions.end(),
-                                                                [](const DeformerRegion& r) { return r.dark > 0; });
-  for (std::size_t t = 0; !brief.regions.empty() && t < mesh.tetrahedra.size(); ++t) {
-    Vec3 centre = Vec3::Zero();
-    for (const int p : mesh.tetrahedra[t]) centre += mesh.points[at(p)] / 4;
-    // The inside is as the surface nearest to it is painted.
-    const double dark = painted ? darkness_at(surface, nearest_place(surface, centre)) : 0;
-    const PartFactors factors = factors_at(brief.regions, centre, dark);
-    solid.stiffness.push_back(factors.stiffness);
-    solid.density.push_back(factors.density);
+  if (!brief.regions.empty()) {
+    const Result<TriangleSurface> distances = TriangleSurface::make(surface.vertices, surface.triangles, "");
+    if (!distances) return distances.error();
+    for (const auto& tetrahedron : mesh.tetrahedra) {
+      Vec3 centre = Vec3::Zero();
+      for (const int p : tetrahedron) centre += mesh.points[at(p)] / 4;
+      const PartFactors factors = factors_at(brief.regions, place_inside(surface, distances.value(), centre));
+      solid.stiffness.push_back(factors.stiffness);
+      solid.density.push_back(factors.density);
+    }
   }
   solid.points = std::move(mesh.points);
   solid.tetrahedra = std::move(mesh.tetrahedra);
@@ -112,7 +122,9 @@ Result<Deformer> Deformer::make(const DeformerBrief& brief, const Surface& surfa
     }
     deformer.embedding_.emplace(mesh.value(), surface.vertices);
     model.materials.push_back(body_material(brief));
-    model.solids.push_back(body_of(brief, surface, std::move(mesh).value()));
+    Result<Solid> body = body_of(brief, surface, std::move(mesh).value());
+    if (!body) return body.error();
+    model.solids.push_back(std::move(body).value());
   }
   if (Status s = model.validate(); !s) {
     Error error = s.error();

@@ -11,8 +11,15 @@ struct PartFactors {
   double stiffness = 1, density = 1;
 };
 
-/// Factors at a point: those of all regions multiplied, each to the power of how much it is there: 1 inside its box, fading to
-/// 0 outside over the width of its blend; 0 where the surface is not dark enough. x in m, darkness 0 to 1.
-PartFactors factors_at(const std::vector<DeformerRegion>& regions, const Vec3& x, double darkness);
+/// Where in a deformer.
+struct PartPlace {
+  Vec3 at = Vec3::Zero();  ///< m
+  double darkness = 0;     ///< of the surface there, 0 to 1
+  double depth = 0;        ///< m below the surface
+};
+
+/// Factors at a place: those of all regions multiplied, each to the power of how much it is there: 1 inside its box and at
+/// its depth, fading to 0 outside over the width of its blend; 0 where the surface is not dark enough.
+PartFactors factors_at(const std::vector<DeformerRegion>& regions, const PartPlace& place);
 
 }  // namespace lissom

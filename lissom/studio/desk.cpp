@@ -51,7 +51,6 @@ void Desk::take_over(OpenProject project, const std::string& kept_state) {
   kept_.clear();
   shape_.forget();
   tools_.forget();
-  give_back_spare_memory();
   project_.emplace(std::move(project));
   model_ = project_->history.model();
   following_ = Following::kRunning;
@@ -68,6 +67,7 @@ void Desk::take_over(OpenProject project, const std::string& kept_state) {
   const std::optional<ShapeSnapshot> kept = read_kept_state(kept_state);
   if (const Status s = show(model_, 0, kept ? &*kept : nullptr); !s) return fail(s.error());
   keep_shape();
+  give_back_spare_memory();
 }
 
 Json Desk::project_json() const {

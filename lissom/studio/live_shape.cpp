@@ -77,7 +77,8 @@ Status LiveShape::follow(const Model& model, const Occasion& occasion) {
   if (!design_) return release(model, occasion);
   begin(occasion);
   const Model posed = with_a_pose(model);
-  const Result<DesignChange> change = occasion.drag == 0 ? design_->change(posed) : design_->change(posed, kWhileDragged);
+  const Result<DesignChange> change =
+      occasion.drag == 0 ? design_->change(posed) : design_->change(posed, kWhileDragged);
   if (!change) return change.error();
   std::string note;
   if (change.value().following.jumped) {

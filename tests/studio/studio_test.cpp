@@ -153,6 +153,26 @@ TEST(Studio, APlanWithoutAShapeShowsTheLastGoodOne) {
   EXPECT_EQ(shown.floats("positions"), good);
 }
 
+TEST(Studio, ADragKeepsItsMeshAndGetsOneThatFitsWhereItEnds) {
+  const StudioFolder folder("mesh");
+  const auto studio = studio_in(folder, "disc-crossed");
+  StudioPage page(*studio);
+  page.good({{"do", "hello"}, {"protocol", 1}});
+  const auto mesh = [&] { return page.pack("shape", settled).header["topology"].get<int>(); };
+  const int before = mesh();
+  const Json far = move("centre", 20, 0);
+  page.good({{"do", "drag"}, {"drag", 1}, {"edit", far}});
+  EXPECT_EQ(page.pack("shape", settled).header["drag"], 1);
+  EXPECT_EQ(mesh(), before);
+  page.good({{"do", "drag_end"}, {"drag", 1}, {"edit", far}});
+  EXPECT_EQ(mesh(), before + 1);
+  EXPECT_NE(page.event("verdict")["note"].get<std::string>().find("new mesh"), std::string::npos);
+  EXPECT_EQ(page.event("history")["steps"].size(), 1u);
+  // Where even that does not do, a drag gets a new mesh at once.
+  page.good({{"do", "drag"}, {"drag", 2}, {"edit", move("centre", -40, 0)}});
+  EXPECT_EQ(mesh(), before + 2);
+}
+
 TEST(Studio, RefusesWhatMakesNoSense) {
   const StudioFolder folder("sense");
   const auto studio = studio_in(folder);

@@ -28,11 +28,25 @@ TEST(StiffnessMap, FadesOutwardsAndMultiplies) {
   dark.stiffness = 4;
   dark.density = 3;
   const std::vector<DeformerRegion> regions{soft, dark};
-  EXPECT_DOUBLE_EQ(factors_at(regions, Vec3(0.5, 0.5, 0.5), 0).stiffness, 0.01);
-  EXPECT_DOUBLE_EQ(factors_at(regions, Vec3(0.5, 0.5, 0.5), 0.7).stiffness, 0.04);
-  EXPECT_DOUBLE_EQ(factors_at(regions, Vec3(1.25, 0.5, 0.5), 0).stiffness, 0.1);  // half of it, in the exponent
-  EXPECT_DOUBLE_EQ(factors_at(regions, Vec3(1.5, 0.5, 0.5), 0).stiffness, 1);
-  EXPECT_DOUBLE_EQ(factors_at(regions, Vec3(3, 3, 3), 1).density, 3);
+  const auto factors = [&](const Vec3& x, double darkness) { return factors_at(regions, {x, darkness, 0}); };
+  EXPECT_DOUBLE_EQ(factors(Vec3(0.5, 0.5, 0.5), 0).stiffness, 0.01);
+  EXPECT_DOUBLE_EQ(factors(Vec3(0.5, 0.5, 0.5), 0.7).stiffness, 0.04);
+  EXPECT_DOUBLE_EQ(factors(Vec3(1.25, 0.5, 0.5), 0).stiffness, 0.1);  // half of it, in the exponent
+  EXPECT_DOUBLE_EQ(factors(Vec3(1.5, 0.5, 0.5), 0).stiffness, 1);
+  EXPECT_DOUBLE_EQ(factors(Vec3(3, 3, 3), 1).density, 3);
+}
+
+TEST(StiffnessMap, HasACoreInsideOfASkin) {
+  DeformerRegion core;
+  core.depth = 0.01;
+  core.blend = 0.004;
+  core.stiffness = 0.01;
+  const auto factors = [&](double depth) { return factors_at({core}, {Vec3::Zero(), 0, depth}); };
+  EXPECT_DOUBLE_EQ(factors(0.02).stiffness, 0.01);
+  EXPECT_DOUBLE_EQ(factors(0.01).stiffness, 0.01);
+  EXPECT_DOUBLE_EQ(factors(0.008).stiffness, 0.1);
+  EXPECT_DOUBLE_EQ(factors(0.006).stiffness, 1);
+  EXPECT_DOUBLE_EQ(factors(0).stiffness, 1);
 }
 
 TEST(Warp, TakesPlacesWhereTheyGo) {
@@ -81,7 +95,7 @@ TEST(Deformer, OfAShellBendsMoreWhereItIsSoft) {
   even.name = "even";
   even.modulus = 2e7;
   DeformerBrief soft = even;
-  soft.regions.push_back({Vec3(0.1, -1, -1), Vec3(1, 1, 1), 0, 0, 0.2, 1});
+  soft.regions.push_back({Vec3(0.1, -1, -1), Vec3(1, 1, 1), 0, 0, 0, 0.2, 1});
   double drop[2] = {0, 0};
   for (const DeformerBrief* brief : {&even, &soft}) {
     const Result<Deformer> deformer = Deformer::make(*brief, sheet, "deformer");
@@ -119,6 +133,16 @@ TEST(Deformer, OfABodyCarriesTheSurface) {
   for (const Vec3& x : ball.vertices) before = std::max(before, x[2]);
   EXPECT_LT(top, before - 2e-3);
   EXPECT_GT(top, 0);
+  // A skin about a soft core gives way further.
+  brief.regions.push_back({{}, {}, 0, 0.015, 0, 0.1, 1});
+  const Result<Deformer> skin = Deformer::make(brief, ball, "deformer");
+  ASSERT_TRUE(skin.ok()) << skin.error().text();
+  const Result<std::vector<Vec3>> sunk = skin.value().posed(pose, "pose", {});
+  ASSERT_TRUE(sunk.ok()) << sunk.error().text();
+  double lower = -1;
+  for (const Vec3& x : sunk.value()) lower = std::max(lower, x[2]);
+  EXPECT_LT(lower, top - 1e-3);
+  brief.regions.clear();
   const Result<Deformer> open = Deformer::make(brief, samples::sheet(4, 4, 0.1), "deformer");
   ASSERT_FALSE(open.ok());
   EXPECT_EQ(open.error().where.substr(0, 8), "deformer");

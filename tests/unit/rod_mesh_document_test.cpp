@@ -33,7 +33,7 @@ TEST(ProjectDocument, HoldsEverything) {
   body.name = "body";
   body.kind = DeformerBrief::Kind::kSolid;
   body.cell = 0.01;
-  body.regions.push_back({Vec3(0, 0, 0), Vec3(1, 1, 1), 0.25, 0.002, 3, 0.5});
+  body.regions.push_back({Vec3(0, 0, 0), Vec3(1, 1, 1), 0.25, 0.01, 0.002, 3, 0.5});
   p.deformers = {body};
   MeshPose pose;
   pose.pose.name = "one";
@@ -58,6 +58,7 @@ TEST(ProjectDocument, HoldsEverything) {
   const DeformerRegion& region = q.deformers.at(0).regions.at(0);
   EXPECT_EQ(region.high, Vec3(1, 1, 1));
   EXPECT_EQ(region.dark, 0.25);
+  EXPECT_EQ(region.depth, 0.01);
   EXPECT_EQ(region.blend, 0.002);
   EXPECT_EQ(region.density, 0.5);
   EXPECT_EQ(q.poses.at(0).warp.at(0)[1], Vec3(1, 0, 0));
@@ -70,6 +71,19 @@ TEST(ProjectDocument, HoldsEverything) {
   EXPECT_EQ(q.design.clearance, 7e-4);
   EXPECT_EQ(q.print.process, "fdm");
   EXPECT_EQ(*q.print.bed, Vec3(0.2, 0.2, 0.3));
+}
+
+TEST(ProjectDocument, ShellsHaveNoDepth) {
+  Result<scene_models::RodMeshExample> made = scene_models::hat_example();
+  ASSERT_TRUE(made.ok());
+  RodMeshProject& p = made.value().project;
+  ASSERT_TRUE(p.validate().ok());
+  p.deformers[1].regions.emplace_back().depth = 0.01;
+  const Status s = p.validate();
+  ASSERT_FALSE(s.ok());
+  EXPECT_EQ(s.error().where, "/deformers/even/regions/0/depth");
+  p.deformers[1].kind = DeformerBrief::Kind::kSolid;
+  EXPECT_TRUE(p.validate().ok());
 }
 
 TEST(ProjectDocument, OthersAreNotProjects) {
