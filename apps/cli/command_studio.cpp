@@ -19,6 +19,7 @@
 #include "apps/cli/browser.h"
 #include "apps/studio/server/kept_session.h"
 #include "apps/studio/server/studio_server.h"
+#include "lissom/core/spare_memory.h"
 #include "lissom/studio/studio.h"
 #include "scenes/design_texts.h"
 
@@ -130,6 +131,7 @@ void serve(StudioServer& server) {
 }
 
 int run_studio(const Arguments& arguments) {
+  keep_large_blocks_apart();
   Result<StudioOptions> options = studio_options(arguments);
   if (!options) return report(options.error());
   catch_interrupts();
