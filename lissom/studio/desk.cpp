@@ -11,6 +11,7 @@
 #include "lissom/session/result_file.h"
 #include "lissom/studio/event_json.h"
 #include "lissom/studio/kept_state.h"
+#include "lissom/studio/requests.h"
 
 namespace lissom {
 
@@ -23,12 +24,14 @@ constexpr double kBetweenSaves = 4;          // s, of side files
 
 }  // namespace
 
-Desk::Desk(ProjectStore store, const Pages& pages, Inbox& inbox, Jobs& jobs, ThreadPool* threads)
+Desk::Desk(ProjectStore store, const Pages& pages, Inbox& inbox, Jobs& jobs, ThreadPool* threads,
+           std::chrono::milliseconds own_time)
     : store_(std::move(store)),
       pages_(pages),
       inbox_(inbox),
       jobs_(jobs),
-      shape_(pages, threads),
+      shape_(pages, threads,
+             {own_time, [&inbox] { return inbox.any([](const Asked& a) { return asks_for_another_shape(a.body); }); }}),
       tools_(*this),
       branches_(*this),
       recovery_(store_.find_recovery()) {}

@@ -20,7 +20,8 @@ namespace lissom {
 
 class Desk {
  public:
-  Desk(ProjectStore store, const Pages& pages, Inbox& inbox, Jobs& jobs, ThreadPool* threads);
+  Desk(ProjectStore store, const Pages& pages, Inbox& inbox, Jobs& jobs, ThreadPool* threads,
+       std::chrono::milliseconds own_time);
 
   /// Puts a project on the desk and releases it, or stands at the shape that a killed session kept.
   void take_over(OpenProject project, const std::string& kept_state = {});

@@ -15,7 +15,7 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 std::string moving(const nlohmann::json& body) {
   const auto verb = body.find("do");
   if (verb == body.end() || !verb->is_string()) return {};
-  const std::string name = verb->get<std::string>();
+  std::string name = verb->get<std::string>();
   if (name == "handle_move") return name;
   if (name != "drag") return {};
   const auto drag = body.find("drag");
@@ -66,6 +66,14 @@ std::optional<Inbox::Item> Inbox::next(std::chrono::milliseconds patience) {
     bytes_ -= asked->bytes;
   }
   return item;
+}
+
+bool Inbox::any(const std::function<bool(const Asked&)>& passes) const {
+  const std::scoped_lock lock(in_use_);
+  return std::any_of(items_.begin(), items_.end(), [&](const Item& item) {
+    const Asked* asked = std::get_if<Asked>(&item);
+    return asked != nullptr && passes(*asked);
+  });
 }
 
 void Inbox::close() {

@@ -38,6 +38,9 @@ class Inbox {
   /// The next one; nothing after `patience`, or once it is closed.
   std::optional<Item> next(std::chrono::milliseconds patience);
 
+  /// Whether a request waits that passes. `passes` must be quick.
+  bool any(const std::function<bool(const Asked&)>& passes) const;
+
   void close();
   bool closed() const;
 

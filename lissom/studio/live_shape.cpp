@@ -37,7 +37,8 @@ Model with_a_pose(Model model) {
 
 }  // namespace
 
-LiveShape::LiveShape(const Pages& pages, ThreadPool* threads) : pages_(pages), threads_(threads) {}
+LiveShape::LiveShape(const Pages& pages, ThreadPool* threads, GivingWay giving_way)
+    : pages_(pages), threads_(threads), giving_way_(std::move(giving_way)) {}
 
 Context LiveShape::context() {
   Context context;
@@ -56,7 +57,7 @@ LiveDesign::Options LiveShape::options() {
 }
 
 void LiveShape::begin(const Occasion& occasion) {
-  stopped_ = false;
+  stopped_ = gave_way_ = false;
   occasion_ = occasion;
   began_ = last_shown_ = Clock::now();
   looked_.reset();
@@ -179,6 +180,7 @@ void LiveShape::watch(const LiveDesign& design, const State& state, double resid
   const bool first = announced_ != design.mesh().get();
   if (first) announce(design);
   const Clock::time_point now = Clock::now();
+  if (now - began_ > giving_way_.own_time && giving_way_.overtaken()) stopped_ = gave_way_ = true;
   if (!first && now - last_shown_ < kBetweenShapes) return;
   last_shown_ = now;
   pages_.show_all(shape_of(design, pinned(design, state), residual, false), StudioMessage::Lane::kShape);
@@ -223,17 +225,23 @@ void LiveShape::judge(const LiveDesign& design, std::string note, bool new_mesh)
   const bool good = is_shape(equilibrium.verdict);
   if (announced_ != design.mesh().get()) announce(design);
   VerdictStory story{milliseconds_since(began_), good ? "settled" : "last good", std::move(note)};
+  // What a newer request is about to replace stays on the screen as it came; while somebody drags, without a word.
+  const bool passing = gave_way_ && equilibrium.verdict == Verdict::kCancelled;
   // On a new mesh there is no last good shape that could stay.
   if (good || new_mesh || !shape_pack_) {
     if (!good) story.shown = "unsettled";
     shown_ = pinned(design, equilibrium.state);
     renew_pins(design);
     show_settled();
+  } else if (passing) {
+    story.shown = "unsettled";
+    story.note = "it gave way to what was asked next";
   } else {
     // Pages have seen states on the way, and are told that nothing more comes of this plan.
     shape_pack_ = shape_of(design, shown_, equilibrium.residual, false);
   }
-  pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
+  if (passing && occasion_.drag != 0) return;
+  if (!passing) pages_.show_all(shape_pack_, StudioMessage::Lane::kShape);
   if (occasion_.drag == 0 && !new_mesh) show_flat(design);
   verdict_ = verdict_event(equilibrium, story);
   pages_.tell_all(verdict_);

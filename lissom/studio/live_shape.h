@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -33,7 +34,13 @@ class LiveShape {
     int revision = 0;  ///< of the plan
   };
 
-  LiveShape(const Pages& pages, ThreadPool* threads);
+  /// When a search for a shape ends before it has found one.
+  struct GivingWay {
+    std::chrono::milliseconds own_time;  ///< that it has in any case
+    std::function<bool()> overtaken;     ///< whether somebody waits for another shape
+  };
+
+  LiveShape(const Pages& pages, ThreadPool* threads, GivingWay giving_way);
 
   /// Releases a plan from its flat state.
   Status release(const Model& model, const Occasion& occasion);
@@ -89,7 +96,9 @@ class LiveShape {
 
   const Pages& pages_;
   ThreadPool* threads_;
+  GivingWay giving_way_;
   std::atomic<bool> stopped_ = false;
+  bool gave_way_ = false;  ///< the solve at hand, to a newer request
   std::unique_ptr<LiveDesign> design_;
   const PlanMesh* announced_ = nullptr;
   std::shared_ptr<const Model> mesh_of_;

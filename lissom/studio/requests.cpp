@@ -18,20 +18,20 @@ using Needs = RequestInfo::Needs;
 constexpr RequestInfo kRequests[] = {
     {"hello", answer_hello, Needs::kNothing},
     {"probe", answer_probe, Needs::kNothing},
-    {"edit", answer_edit},
-    {"drag", answer_drag},
-    {"drag_end", answer_drag_end},
-    {"drag_cancel", answer_drag_cancel},
-    {"undo", answer_undo},
-    {"redo", answer_redo},
-    {"go_to", answer_go_to},
-    {"remedy", answer_remedy},
-    {"new", answer_new, Needs::kNothing},
-    {"open", answer_open, Needs::kNothing},
+    {"edit", answer_edit, Needs::kPlan, true},
+    {"drag", answer_drag, Needs::kPlan, true},
+    {"drag_end", answer_drag_end, Needs::kPlan, true},
+    {"drag_cancel", answer_drag_cancel, Needs::kPlan, true},
+    {"undo", answer_undo, Needs::kPlan, true},
+    {"redo", answer_redo, Needs::kPlan, true},
+    {"go_to", answer_go_to, Needs::kPlan, true},
+    {"remedy", answer_remedy, Needs::kPlan, true},
+    {"new", answer_new, Needs::kNothing, true},
+    {"open", answer_open, Needs::kNothing, true},
     {"files", answer_files, Needs::kNothing},
     {"save", answer_save, Needs::kDocument},
-    {"recover", answer_recover, Needs::kNothing},
-    {"settle", answer_settle},
+    {"recover", answer_recover, Needs::kNothing, true},
+    {"settle", answer_settle, Needs::kPlan, true},
     {"look", answer_look, Needs::kDocument},
     {"hold", answer_hold},
     {"run", answer_run},
@@ -92,6 +92,13 @@ Json answer_request(Desk& desk, int page, const Json& body) {
     answer["error"] = error_json(made.error());
   }
   return answer;
+}
+
+bool asks_for_another_shape(const Json& body) {
+  const auto verb = body.find("do");
+  if (verb == body.end() || !verb->is_string()) return false;
+  const RequestInfo* request = find(verb->get<std::string>());
+  return request != nullptr && request->another_shape;
 }
 
 Answer answer_probe(Desk& desk, int page, Ask& ask) {

@@ -28,8 +28,8 @@ Json id_of(const Json& body) {
 }  // namespace
 
 struct Studio::Parts {
-  Parts(ProjectStore store, int count)
-      : threads(count), jobs(pages, inbox, count), desk(std::move(store), pages, inbox, jobs, &threads) {}
+  Parts(ProjectStore store, int count, std::chrono::milliseconds own_time)
+      : threads(count), jobs(pages, inbox, count), desk(std::move(store), pages, inbox, jobs, &threads, own_time) {}
 
   void run();
 
@@ -67,7 +67,7 @@ Result<std::unique_ptr<Studio>> Studio::make(const StudioOptions& options) {
   store_options.state_folder = options.state_folder;
   Result<ProjectStore> store = ProjectStore::make(options.folder, options.designs, store_options);
   if (!store) return store.error();
-  auto parts = std::make_unique<Parts>(std::move(store).value(), options.threads);
+  auto parts = std::make_unique<Parts>(std::move(store).value(), options.threads, options.own_time);
   if (!options.file.empty() || !options.design.empty()) {
     ProjectStore& own = parts->desk.store();
     Result<OpenProject> project = options.file.empty() ? own.open_design(options.design) : own.open(options.file);

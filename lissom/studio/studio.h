@@ -1,6 +1,7 @@
 #pragma once
 /// The studio without its server: one thread on which a design is edited, one on which long jobs run, any number of pages.
 
+#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +21,8 @@ struct StudioOptions {
   std::filesystem::path
       state_folder;  ///< for what is remembered about the user: the list of recent files; empty: nowhere
   int threads = 2;   ///< of the engine; as many are used by jobs
+  /// Of a search for a shape, before it gives way to requests for another one.
+  std::chrono::milliseconds own_time{1000};
 };
 
 class Studio final : public StudioDoor {

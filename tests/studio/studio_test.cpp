@@ -173,6 +173,29 @@ TEST(Studio, ADragKeepsItsMeshAndGetsOneThatFitsWhereItEnds) {
   EXPECT_EQ(mesh(), before + 2);
 }
 
+TEST(Studio, ALongSolveGivesWayToWhatIsAskedNext) {
+  const StudioFolder folder("gives-way");
+  StudioOptions options;
+  options.folder = folder.path();
+  options.design = "butterfly";
+  options.designs = design_texts();
+  options.own_time = std::chrono::milliseconds(50);  // of the third of a second and more that a release takes
+  const auto studio = std::move(Studio::make(options)).value();
+  StudioPage page(*studio);
+  page.good({{"do", "hello"}, {"protocol", 1}});
+  page.good({{"do", "edit"}, {"edit", {{"name", "set_title"}, {"title", "Anew"}}}});
+  EXPECT_EQ(page.event("verdict")["name"], "stable");
+  const int settle = page.send({{"do", "settle"}, {"from", "flat"}});
+  const int undo = page.send({{"do", "undo"}});
+  EXPECT_TRUE(page.answer_to(settle)["ok"].get<bool>());
+  const Json verdict = page.event("verdict", [](const Json& e) { return !e["settled"].get<bool>(); });
+  EXPECT_EQ(verdict["name"], "cancelled");
+  EXPECT_EQ(verdict["shown"], "unsettled");
+  EXPECT_TRUE(page.answer_to(undo)["ok"].get<bool>());
+  EXPECT_EQ(page.event("history")["at"], 0);
+  EXPECT_EQ(page.event("verdict")["name"], "stable");
+}
+
 TEST(Studio, RefusesWhatMakesNoSense) {
   const StudioFolder folder("sense");
   const auto studio = studio_in(folder);
