@@ -64,12 +64,13 @@ MembraneMaterial shell_material(const DeformerBrief& brief) {
   return material;
 }
 
-Result<Solid> body_of(const DeformerBrief& brief, const Surface& surface, TetrahedralMesh mesh) {
+Result<Solid> body_of(const DeformerBrief& brief, const Surface& surface, TetrahedralMesh mesh,
+                      const std::string& where) {
   Solid solid;
   solid.name = kName;
   solid.material = brief.name;
   if (!brief.regions.empty()) {
-    const Result<TriangleSurface> distances = TriangleSurface::make(surface.vertices, surface.triangles, "");
+    const Result<TriangleSurface> distances = TriangleSurface::make(surface.vertices, surface.triangles, where);
     if (!distances) return distances.error();
     for (const auto& tetrahedron : mesh.tetrahedra) {
       Vec3 centre = Vec3::Zero();
@@ -122,7 +123,7 @@ Result<Deformer> Deformer::make(const DeformerBrief& brief, const Surface& surfa
     }
     deformer.embedding_.emplace(mesh.value(), surface.vertices);
     model.materials.push_back(body_material(brief));
-    Result<Solid> body = body_of(brief, surface, std::move(mesh).value());
+    Result<Solid> body = body_of(brief, surface, std::move(mesh).value(), where);
     if (!body) return body.error();
     model.solids.push_back(std::move(body).value());
   }

@@ -217,7 +217,7 @@ Result<Json> Desk::drag(int page, int number, const Json& edit) {
   drag_->edit = edit;
   drag_->title = outcome.value().title;
   drag_->model = model;
-  drag_->shown = following_ == Following::kRunning;
+  drag_->shown = following_ == Following::kRunning && !shape_.gave_way();
   return Json::object();
 }
 

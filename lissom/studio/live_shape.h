@@ -59,6 +59,8 @@ class LiveShape {
 
   /// Null when there is none, or one to look at only.
   const LiveDesign* design() const { return design_.get(); }
+  /// Whether the last search for a shape ended early, for a newer request.
+  bool gave_way() const { return gave_way_; }
   /// Whether the shape is on a mesh that it would have without drags, too.
   bool mesh_fits() const { return !design_ || design_->mesh_fits(); }
   ShapeSnapshot snapshot() const;

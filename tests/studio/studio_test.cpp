@@ -173,6 +173,26 @@ TEST(Studio, ADragKeepsItsMeshAndGetsOneThatFitsWhereItEnds) {
   EXPECT_EQ(mesh(), before + 2);
 }
 
+TEST(Studio, ADragThatGaveWayToItsOwnEndSettlesThere) {
+  const StudioFolder folder("gives-way-to-its-end");
+  StudioOptions options;
+  options.folder = folder.path();
+  options.design = "disc-crossed";
+  options.designs = design_texts();
+  options.own_time = std::chrono::milliseconds(0);
+  const auto studio = std::move(Studio::make(options)).value();
+  StudioPage page(*studio);
+  page.good({{"do", "hello"}, {"protocol", 1}});
+  page.pack("shape", settled);
+  page.forget();
+  // Three far moves, the last of which is where the drag ends; none of the searches before has any time.
+  for (const double x : {8.0, -8.0, 12.0}) page.send({{"do", "drag"}, {"drag", 5}, {"edit", move("centre", x, 3)}});
+  page.good({{"do", "drag_end"}, {"drag", 5}, {"edit", move("centre", 12, 3)}});
+  EXPECT_EQ(page.event("verdict")["name"], "stable");
+  EXPECT_EQ(page.pack("shape", settled).header["plan_revision"], page.event("plan")["revision"]);
+  EXPECT_EQ(page.event("history")["at"], 1);
+}
+
 TEST(Studio, ALongSolveGivesWayToWhatIsAskedNext) {
   const StudioFolder folder("gives-way");
   StudioOptions options;
