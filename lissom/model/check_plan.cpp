@@ -26,12 +26,15 @@ void check_points(Checker& check, const Plan& plan) {
   for (const PlanRod& rod : plan.rods) {
     for (const int i : rod.points) used[static_cast<std::size_t>(i)] = 1;
   }
+  // All numbers before any are compared: what is near and what is the same place is said by the size of the whole.
   double size = 0;
-  for (const PlanPoint& p : plan.points) size = std::max(size, (p.at - plan.points[0].at).norm());
+  for (const PlanPoint& p : plan.points) {
+    check.finite(Vec3(p.at.x(), p.at.y(), 0), point_place(p));
+    size = std::max(size, (p.at - plan.points[0].at).norm());
+  }
   for (std::size_t i = 0; i < plan.points.size() && !check.failed(); ++i) {
     const PlanPoint& point = plan.points[i];
     const std::string where = point_place(point);
-    check.finite(Vec3(point.at.x(), point.at.y(), 0), where);
     check.positive(point.r_n, where + "/r_n", "radius");
     check.positive(point.r_b, where + "/r_b", "radius");
     if (!used[i]) {

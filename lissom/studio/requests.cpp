@@ -15,23 +15,25 @@ namespace {
 using Json = nlohmann::json;
 using Needs = RequestInfo::Needs;
 
+constexpr bool kAnotherShape = true;
+
 constexpr RequestInfo kRequests[] = {
     {"hello", answer_hello, Needs::kNothing},
     {"probe", answer_probe, Needs::kNothing},
-    {"edit", answer_edit, Needs::kPlan, true},
-    {"drag", answer_drag, Needs::kPlan, true},
-    {"drag_end", answer_drag_end, Needs::kPlan, true},
-    {"drag_cancel", answer_drag_cancel, Needs::kPlan, true},
-    {"undo", answer_undo, Needs::kPlan, true},
-    {"redo", answer_redo, Needs::kPlan, true},
-    {"go_to", answer_go_to, Needs::kPlan, true},
-    {"remedy", answer_remedy, Needs::kPlan, true},
-    {"new", answer_new, Needs::kNothing, true},
-    {"open", answer_open, Needs::kNothing, true},
+    {"edit", answer_edit, Needs::kPlan, kAnotherShape},
+    {"drag", answer_drag, Needs::kPlan, kAnotherShape},
+    {"drag_end", answer_drag_end, Needs::kPlan, kAnotherShape},
+    {"drag_cancel", answer_drag_cancel, Needs::kPlan, kAnotherShape},
+    {"undo", answer_undo, Needs::kPlan, kAnotherShape},
+    {"redo", answer_redo, Needs::kPlan, kAnotherShape},
+    {"go_to", answer_go_to, Needs::kPlan, kAnotherShape},
+    {"remedy", answer_remedy},
+    {"new", answer_new, Needs::kNothing, kAnotherShape},
+    {"open", answer_open, Needs::kNothing, kAnotherShape},
     {"files", answer_files, Needs::kNothing},
     {"save", answer_save, Needs::kDocument},
-    {"recover", answer_recover, Needs::kNothing, true},
-    {"settle", answer_settle, Needs::kPlan, true},
+    {"recover", answer_recover, Needs::kNothing, kAnotherShape},
+    {"settle", answer_settle, Needs::kPlan, kAnotherShape},
     {"look", answer_look, Needs::kDocument},
     {"hold", answer_hold},
     {"run", answer_run},

@@ -14,15 +14,30 @@ using samples::ReadPack;
 using samples::StudioFolder;
 using samples::StudioPage;
 
-std::unique_ptr<Studio> studio_in(const StudioFolder& folder, const std::string& design = {}) {
+std::unique_ptr<Studio> studio_in(const StudioFolder& folder, const std::string& design = {},
+                                  std::chrono::milliseconds own_time = StudioOptions().own_time) {
   StudioOptions options;
   options.folder = folder.path();
   options.design = design;
   options.designs = design_texts();
+  options.own_time = own_time;
   Result<std::unique_ptr<Studio>> made = Studio::make(options);
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().text());
   return std::move(made).value();
 }
+
+/// A studio in a folder of its own, and a page that has said hello.
+struct OpenStudio {
+  StudioFolder folder;
+  std::unique_ptr<Studio> studio;
+  StudioPage page;
+
+  explicit OpenStudio(const std::string& name, const std::string& design = {},
+                      std::chrono::milliseconds own_time = StudioOptions().own_time)
+      : folder(name), studio(studio_in(folder, design, own_time)), page(*studio) {
+    page.good({{"do", "hello"}, {"protocol", 1}});
+  }
+};
 
 Json move(const std::string& point, double x, double y) {
   return {{"name", "move_points"}, {"moves", {{{"point", point}, {"to_mm", {x, y}}}}}};
@@ -52,10 +67,8 @@ TEST(Studio, ShowsADesignThatPopsUp) {
 }
 
 TEST(Studio, ADragIsOneStepAndOnlyItsNewestMoveCounts) {
-  const StudioFolder folder("drag");
-  const auto studio = studio_in(folder, "disc-crossed");
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("drag", "disc-crossed");
+  StudioPage& page = open.page;
   page.pack("shape", settled);
   std::vector<int> ids;
   for (int i = 1; i <= 40; ++i)
@@ -101,10 +114,8 @@ TEST(Studio, ADragWhosePageGoesIsLetGo) {
 }
 
 TEST(Studio, UndoBringsBackPlanAndShape) {
-  const StudioFolder folder("undo");
-  const auto studio = studio_in(folder, "disc-crossed");
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("undo", "disc-crossed");
+  StudioPage& page = open.page;
   const std::vector<float> before = page.pack("shape", settled).floats("positions");
   page.good({{"do", "edit"}, {"edit", {{"name", "set_pre_stretch"}, {"along", {1.3, 1.3}}}}});
   page.good({{"do", "edit"}, {"edit", {{"name", "remove"}, {"rods", {"along"}}}}});
@@ -119,10 +130,8 @@ TEST(Studio, UndoBringsBackPlanAndShape) {
 }
 
 TEST(Studio, AnEditThatCannotBeBuiltLeavesAllAsItWas) {
-  const StudioFolder folder("refused");
-  const auto studio = studio_in(folder, "disc-crossed");
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("refused", "disc-crossed");
+  StudioPage& page = open.page;
   page.pack("shape", settled);
   const Json before = page.event("plan");
   page.refused({{"do", "edit"}, {"edit", move("centre", 200, 0)}});  // rods leave the fabric and cross
@@ -137,10 +146,8 @@ TEST(Studio, AnEditThatCannotBeBuiltLeavesAllAsItWas) {
 }
 
 TEST(Studio, APlanWithoutAShapeShowsTheLastGoodOne) {
-  const StudioFolder folder("last-good");
-  const auto studio = studio_in(folder, "disc-empty");
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("last-good", "disc-empty");
+  StudioPage& page = open.page;
   const std::vector<float> good = page.pack("shape", settled).floats("positions");
   // So much that it is still far from rest after all iterations.
   page.good({{"do", "edit"}, {"edit", {{"name", "set_pre_stretch"}, {"along", {3, 3}}}}});
@@ -154,10 +161,8 @@ TEST(Studio, APlanWithoutAShapeShowsTheLastGoodOne) {
 }
 
 TEST(Studio, ADragKeepsItsMeshAndGetsOneThatFitsWhereItEnds) {
-  const StudioFolder folder("mesh");
-  const auto studio = studio_in(folder, "disc-crossed");
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("mesh", "disc-crossed");
+  StudioPage& page = open.page;
   const auto mesh = [&] { return page.pack("shape", settled).header["topology"].get<int>(); };
   const int before = mesh();
   const Json far = move("centre", 20, 0);
@@ -174,15 +179,8 @@ TEST(Studio, ADragKeepsItsMeshAndGetsOneThatFitsWhereItEnds) {
 }
 
 TEST(Studio, ADragThatGaveWayToItsOwnEndSettlesThere) {
-  const StudioFolder folder("gives-way-to-its-end");
-  StudioOptions options;
-  options.folder = folder.path();
-  options.design = "disc-crossed";
-  options.designs = design_texts();
-  options.own_time = std::chrono::milliseconds(0);
-  const auto studio = std::move(Studio::make(options)).value();
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("gives-way-to-its-end", "disc-crossed", std::chrono::milliseconds(0));
+  StudioPage& page = open.page;
   page.pack("shape", settled);
   page.forget();
   // Three far moves, the last of which is where the drag ends; none of the searches before has any time.
@@ -194,15 +192,9 @@ TEST(Studio, ADragThatGaveWayToItsOwnEndSettlesThere) {
 }
 
 TEST(Studio, ALongSolveGivesWayToWhatIsAskedNext) {
-  const StudioFolder folder("gives-way");
-  StudioOptions options;
-  options.folder = folder.path();
-  options.design = "butterfly";
-  options.designs = design_texts();
-  options.own_time = std::chrono::milliseconds(50);  // of the third of a second and more that a release takes
-  const auto studio = std::move(Studio::make(options)).value();
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  // A release takes several times as long as it has for itself.
+  OpenStudio open("gives-way", "butterfly", std::chrono::milliseconds(50));
+  StudioPage& page = open.page;
   page.good({{"do", "edit"}, {"edit", {{"name", "set_title"}, {"title", "Anew"}}}});
   EXPECT_EQ(page.event("verdict")["name"], "stable");
   const int settle = page.send({{"do", "settle"}, {"from", "flat"}});
@@ -217,10 +209,8 @@ TEST(Studio, ALongSolveGivesWayToWhatIsAskedNext) {
 }
 
 TEST(Studio, RefusesWhatMakesNoSense) {
-  const StudioFolder folder("sense");
-  const auto studio = studio_in(folder);
-  StudioPage page(*studio);
-  page.good({{"do", "hello"}, {"protocol", 1}});
+  OpenStudio open("sense");
+  StudioPage& page = open.page;
   page.refused({{"do", "hello"}, {"protocol", 2}});
   page.refused({{"do", "edit"}, {"edit", move("a", 0, 0)}});  // nothing is open
   page.refused({{"do", "unddo"}});

@@ -131,6 +131,8 @@ const Case kCases[] = {
        add_rod(p, "stub", {0, add_point(p, "e", 0.06, 0.06)});
      },
      ErrorCode::kGeometry, "/plan/points/e", "the points \"c\" and \"e\" are at the same place", "use one point"},
+    {"a point beyond everything, which makes all others one place", [](Plan& p) { p.points[3].at.x() = 1e297; },
+     ErrorCode::kRange, "/plan/points/d", "this number is too large: 1e297", "is its unit the right one?"},
     {"one point", [](Plan& p) { p.rods[1].points = {0}; }, ErrorCode::kGeometry, "/plan/rods/1/points",
      "rod \"across\" has 1 points", "at least 2"},
     {"closed with two points", [](Plan& p) { p.rods[1].closed = true; }, ErrorCode::kGeometry, "/plan/rods/1/points",
